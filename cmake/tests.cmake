@@ -1,0 +1,43 @@
+# gtest without ROS (test/core), and with ROS also rostest (test/ros).
+if(CORE_ONLY)
+  include(CTest)
+  if(NOT BUILD_TESTING)
+    return()
+  endif()
+  find_package(GTest REQUIRED)
+elseif(NOT CATKIN_ENABLE_TESTING)
+  return()
+endif()
+
+# One executable per file of test/core: test_NAME.cpp -> test NAME.
+function(add_core_test name)
+  set(target ${PROJECT_NAME}_test_${name})
+  if(CORE_ONLY)
+    add_executable(${target} test/core/test_${name}.cpp)
+    target_link_libraries(${target} GTest::GTest GTest::Main)
+    add_test(NAME ${name} COMMAND ${target})
+  else()
+    catkin_add_gtest(${target} test/core/test_${name}.cpp)
+    target_link_libraries(${target} gtest_main)
+  endif()
+  target_link_libraries(${target} ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
+  add_dependencies(${target} ${PROJECT_NAME}_simulate)  # some run it
+  target_include_directories(${target} PRIVATE test/core src/core)
+  target_compile_definitions(${target} PRIVATE
+    SCENES_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/scenes"
+    URDF_DIR="${CMAKE_CURRENT_SOURCE_DIR}/urdf"
+    SIMULATE="$<TARGET_FILE:${PROJECT_NAME}_simulate>"
+    CORE_LIBRARY="$<TARGET_FILE:${PROJECT_NAME}_core>")
+endfunction()
+
+foreach(name
+    scene_loader
+    urdf_loader
+    simulate
+)
+  add_core_test(${name})
+endforeach()
+
+if(NOT CORE_ONLY)
+  include(cmake/ros_tests.cmake)
+endif()

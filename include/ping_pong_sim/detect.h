@@ -1,0 +1,56 @@
+// Detect: the earliest contact inside a motion.
+//
+// The gap between a ball and a convex shape is a convex function of the ball's position in the shape's frame, so along a
+// path y(s) its second derivative is at least -|y''|. From gap f and rate f' at one instant, with a bound M on |y''|, no
+// contact can happen before the root of f + f' d - M d^2 / 2 = 0: step there and look again. The steps never jump over a
+// contact, converge quadratically on it, and are exact at once for a parabola above a horizontal plane.
+#pragma once
+
+#include <vector>
+
+#include "ping_pong_sim/body.h"
+#include "ping_pong_sim/segment.h"
+
+namespace ping_pong
+{
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// A ball and a shape at one instant.
+struct Gap
+{
+  double gap = 0.0;      ///< distance of the surfaces, negative in overlap [m]
+  double rate = 0.0;     ///< d(gap)/dt [m/s]
+  Vector3d n_W;          ///< unit, from the shape to the ball
+};
+
+Gap gapTo(const Shape& shape, const BodyFrame& frame, const Vector3d& p_WB, const Vector3d& v_WB, double radius);
+
+/// Second derivative of the gap of a ball that moves with acceleration a_WB, curvature of the surface included [m/s^2].
+double gapAcceleration(const Shape& shape, const BodyFrame& frame, const Vector3d& p_WB, const Vector3d& v_WB,
+                       const Vector3d& a_WB);
+
+/// Below this gap a ball touches [m]: a few units in the last place of its coordinates.
+double touchTolerance(const Vector3d& p_WB, double radius);
+
+/// Answer of firstContact.
+struct Detection
+{
+  double time = kNever;    ///< of the contact; or up to which there is none, if undecided
+  bool undecided = false;  ///< the search was cut short at `time`: look again from there
+
+  bool found() const { return time < kNever && !undecided; }
+};
+
+/// First world time in [from, until] at which the ball touches the shape and closes in (or presses on it); kNever if none.
+/// Touching and closing in at `from` is a contact at `from`; touching and receding is none. `until` must be finite if the body turns.
+Detection firstContact(const Segment& path, double radius, const Shape& shape, const BodyMotion& motion, double from,
+                       double until);
+
+/// The same for two balls. Free flights under the same acceleration: a quadratic, solved without cancellation.
+Detection firstContact(const Segment& path1, double radius1, const Segment& path2, double radius2, double from,
+                       double until);
+
+/// First world time in [from, until] at which the point of a flat face below the ball leaves that face; the body must not
+/// turn. The face is the one that the ball touches at `from`.
+double leavesFace(const Segment& path, const Shape& shape, const BodyMotion& motion, double from, double until);
+}  // namespace ping_pong

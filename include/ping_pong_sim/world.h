@@ -1,0 +1,87 @@
+// The world: balls and bodies in time. advance() is the sentence that joins evolve, detect and resolve.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ping_pong_sim/contact.h"
+#include "ping_pong_sim/scene.h"
+
+namespace ping_pong
+{
+/// What a call of advance() did. A step never throws and never logs.
+struct StepStatus
+{
+  std::size_t contacts = 0;        ///< impacts handled
+  std::size_t events = 0;          ///< events handled: impacts, coming to rest, sliding over an edge
+  std::size_t squeezed = 0;        ///< balls now caught between bodies with no room left
+  std::size_t blocked_paddles = 0; ///< paddles that a static body stopped
+  bool event_limit = false;        ///< more events than Limits allow: the remaining time was flown without contacts
+  bool not_finite = false;         ///< a fixed-step method produced inf or NaN; that ball keeps its last finite state
+  bool ok() const { return squeezed == 0 && !event_limit && !not_finite; }
+};
+
+/// Sums over all balls. Potential energy is zero at the world's origin.
+struct Totals
+{
+  double kinetic = 0.0;                          ///< translation [J]
+  double rotational = 0.0;                       ///< spin, thin shell I = 2/3 m r^2 [J]
+  double potential = 0.0;                        ///< -m g.p [J]
+  Vector3d momentum = Vector3d::Zero();          ///< [kg m/s]
+  double energy() const { return kinetic + rotational + potential; }
+};
+
+/// Answer of calls that change the world from outside. Empty reason: done; else nothing was changed.
+struct Refusal
+{
+  std::string reason;
+  explicit operator bool() const { return !reason.empty(); }
+};
+
+class World
+{
+public:
+  explicit World(const Scene& scene);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// Moves everything on by `duration` >= 0 [s]. One call is one tick: paddles follow their commands with one smooth motion
+  /// per tick (cut into pieces where they meet a body), balls fly, collide, rest.
+  StepStatus advance(double duration);
+
+  double time() const;                                  ///< since the start or reset [s]
+  const Scene& scene() const;                           ///< as loaded; reset() returns to it
+  const std::vector<Contact>& contacts() const;         ///< of the last advance(), in order of time
+
+  std::size_t ballCount() const;
+  BallId ballId(std::size_t index) const;
+  std::size_t findBall(BallId id) const;                ///< index, or kNone
+  const BallParams& ballParams(std::size_t index) const;
+  BallState ballState(std::size_t index) const;         ///< at time()
+  bool resting(std::size_t index) const;                ///< lies still on something, exactly
+  double restingSince(std::size_t index) const;         ///< world time at which its bounces ended [s]; NaN while it flies
+
+  std::size_t bodyCount() const;
+  std::size_t findBody(const std::string& name) const;  ///< index, or kNone
+  const Body& body(std::size_t index) const;
+  Pose bodyPose(std::size_t index) const;
+  Twist bodyTwist(std::size_t index) const;
+
+  Totals totals() const;
+
+  // Changes from outside, between ticks. All values are checked; a refusal changes nothing.
+  Refusal command(std::size_t body, const PaddleCommand& command);
+  Refusal spawnBall(const BallParams& params, const BallState& state, BallId* id = nullptr);
+  Refusal deleteBall(BallId id);
+  Refusal setBallState(BallId id, const BallState& state);
+  /// A jump, not a motion: nothing is hit; balls that the body would cover are put on its surface.
+  Refusal setBodyPose(std::size_t body, const Pose& pose);
+  void reset();
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+}  // namespace ping_pong

@@ -1,0 +1,195 @@
+// Runs a scene without ROS: ball states to standard output, a summary to standard error.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <memory>
+
+#include "csv_file.h"
+#include "ping_pong_sim/scene_loader.h"
+#include "ping_pong_sim/world.h"
+#include "simulate_options.h"
+
+namespace ping_pong
+{
+namespace
+{
+enum ExitStatus
+{
+  kWhole = 0,
+  kOutputFailed = 1,
+  kBadInput = 2,
+  kWorldNotOk = 3
+};
+
+/// What the summary tells.
+struct Report
+{
+  double wall = 0.0;          ///< spent in World::advance() [s]
+  double energy_start = 0.0;  ///< [J]
+  std::size_t contacts = 0;
+  std::size_t events = 0;
+  std::size_t squeezed = 0;
+  bool event_limit = false;
+  bool not_finite = false;
+  double trouble_since = -1.0;  ///< simulated time of the first flag; negative: none [s]
+};
+
+Scene prepareScene(const SimulateOptions& options)
+{
+  LoadOptions load_options;
+  load_options.has_seed = options.seed.has_value();
+  load_options.seed = options.seed.value_or(0);
+  Scene scene = loadScene(options.scene_path, load_options);
+  if (options.method) scene.method = *options.method;
+  if (options.dt) scene.dt = *options.dt;
+  return scene;
+}
+
+void writeHeader(CsvFile& file, const char* header)
+{
+  file.text(header);
+  file.endRow();
+}
+
+void writeBalls(const World& world, double time, CsvFile& file)
+{
+  for (std::size_t i = 0; i < world.ballCount(); ++i)
+  {
+    const BallState state = world.ballState(i);
+    file.number(time);
+    file.integer(world.ballId(i));
+    file.vector(state.p_WB);
+    for (const double component : {state.q_WB.w(), state.q_WB.x(), state.q_WB.y(), state.q_WB.z()})
+      file.number(component);
+    file.vector(state.v_WB);
+    file.vector(state.w_WB);
+    file.endRow();
+  }
+}
+
+std::string otherName(const World& world, const Contact& contact)
+{
+  return contact.with_ball ? "ball_" + std::to_string(contact.other_ball) : world.body(contact.body).name;
+}
+
+void writeContacts(const World& world, CsvFile& file)
+{
+  for (const Contact& contact : world.contacts())
+  {
+    file.number(contact.time);
+    file.integer(contact.ball);
+    file.text(otherName(world, contact).c_str());
+    for (const Vector3d& v : {contact.p_WC, contact.n_W, contact.v_before, contact.v_after, contact.w_before,
+                              contact.w_after, contact.v_other, contact.impulse})
+      file.vector(v);
+    file.endRow();
+  }
+}
+
+void advanceTo(double time, World& world, Report& report)
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  const StepStatus status = world.advance(std::max(time - world.time(), 0.0));  // rounding does not pile up
+  report.wall += std::chrono::duration<double>(Clock::now() - begin).count();
+  report.contacts += status.contacts;
+  report.events += status.events;
+  report.squeezed = std::max(report.squeezed, status.squeezed);
+  report.event_limit |= status.event_limit;
+  report.not_finite |= status.not_finite;
+  if (!status.ok() && report.trouble_since < 0.0) report.trouble_since = time;
+}
+
+Report run(const SimulateOptions& options, World& world, CsvFile& balls, CsvFile* contacts)
+{
+  Report report;
+  report.energy_start = world.totals().energy();
+  // A duration such as 0.3 s at 10 Hz has three rows after the first, though 0.3 * 10 may round below 3.
+  const auto rows = static_cast<std::uint64_t>(*options.duration * options.rate * (1.0 + 1e-12));
+  for (std::uint64_t k = 0; k <= rows; ++k)
+  {
+    const double time = static_cast<double>(k) / options.rate;
+    if (k > 0) advanceTo(time, world, report);
+    writeBalls(world, time, balls);
+    if (contacts != nullptr && k > 0) writeContacts(world, *contacts);
+  }
+  if (world.time() < *options.duration)  // the rest, shorter than a row
+  {
+    advanceTo(*options.duration, world, report);
+    if (contacts != nullptr) writeContacts(world, *contacts);
+  }
+  return report;
+}
+
+std::string statusText(const Report& report)
+{
+  if (report.trouble_since < 0.0) return "ok";
+  std::string text;
+  if (report.squeezed > 0) text += " squeezed (" + std::to_string(report.squeezed) + " balls without room)";
+  if (report.event_limit) text += " event_limit (too many events, contacts were skipped)";
+  if (report.not_finite) text += " not_finite (a step gave inf or NaN; try a smaller --dt)";
+  return "not ok:" + text + ", first at t <= " + std::to_string(report.trouble_since) + " s";
+}
+
+void printSummary(const SimulateOptions& options, const World& world, const Report& report)
+{
+  const double ball_seconds = static_cast<double>(world.ballCount()) * *options.duration;
+  std::fprintf(stderr, "scene %s, method %s, %zu balls, %g s simulated\n", world.scene().name.c_str(),
+               name(world.scene().method), world.ballCount(), *options.duration);
+  std::fprintf(stderr, "cost %.6g s wall, %.4g us per ball and simulated second, %.4g x real time\n", report.wall,
+               ball_seconds > 0.0 ? 1e6 * report.wall / ball_seconds : 0.0, *options.duration / report.wall);
+  std::fprintf(stderr, "contacts %zu, events %zu\n", report.contacts, report.events);
+  std::fprintf(stderr, "energy %.9g J at start, %.9g J at end\n", report.energy_start, world.totals().energy());
+  std::fprintf(stderr, "status %s\n", statusText(report).c_str());
+}
+
+ExitStatus simulate(const SimulateOptions& options)
+{
+  World world(prepareScene(options));
+  CsvFile balls;
+  std::unique_ptr<CsvFile> contacts;
+  if (!options.contacts_path.empty()) contacts = std::make_unique<CsvFile>(options.contacts_path);
+  writeHeader(balls, "t,ball,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz");
+  if (contacts)
+    writeHeader(*contacts,
+                "t,ball,other,px,py,pz,nx,ny,nz,vx_before,vy_before,vz_before,vx_after,vy_after,vz_after,"
+                "wx_before,wy_before,wz_before,wx_after,wy_after,wz_after,vx_other,vy_other,vz_other,Jx,Jy,Jz");
+  const Report report = run(options, world, balls, contacts.get());
+  balls.close();
+  if (contacts) contacts->close();
+  printSummary(options, world, report);
+  return report.trouble_since < 0.0 ? kWhole : kWorldNotOk;
+}
+
+ExitStatus simulateOrHelp(int argc, char** argv)
+{
+  const SimulateOptions options = parseSimulateOptions(argc, argv);
+  if (!options.help) return simulate(options);
+  const bool written = std::fputs(kSimulateHelp, stdout) >= 0 && std::fflush(stdout) == 0;
+  return written ? kWhole : kOutputFailed;
+}
+}  // namespace
+}  // namespace ping_pong
+
+int main(int argc, char** argv)
+{
+  using namespace ping_pong;
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error to report, not a silent death
+  try
+  {
+    return simulateOrHelp(argc, argv);
+  }
+  catch (const OutputError& error)
+  {
+    std::fprintf(stderr, "simulate: cannot write %s\n", error.what());
+    return kOutputFailed;
+  }
+  catch (const std::exception& error)  // LoadError, UsageError
+  {
+    std::fprintf(stderr, "simulate: %s\n", error.what());
+    return kBadInput;
+  }
+}

@@ -1,0 +1,123 @@
+#include "simulate_options.h"
+
+#include <getopt.h>
+
+#include "../core/text_input.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr double kMaxRows = 1e12;  ///< far beyond any disk, and rows stay exactly countable
+
+const option kOptions[] = {
+    {"duration", required_argument, nullptr, 'd'}, {"rate", required_argument, nullptr, 'r'},
+    {"method", required_argument, nullptr, 'm'},   {"dt", required_argument, nullptr, 't'},
+    {"seed", required_argument, nullptr, 's'},     {"contacts", required_argument, nullptr, 'c'},
+    {"help", no_argument, nullptr, 'h'},           {nullptr, 0, nullptr, 0},
+};
+
+[[noreturn]] void fail(const std::string& option, const std::string& value, const std::string& expected)
+{
+  throw UsageError(option + ": " + value + ": expected " + expected);
+}
+
+double positive(const std::string& option, const std::string& text)
+{
+  double number = 0.0;
+  if (!parseNumber(text, number) || !(number > 0.0)) fail(option, text, "a finite number > 0");
+  return number;
+}
+
+std::string fileName(const std::string& option, const std::string& text)
+{
+  if (text.empty()) fail(option, "nothing", "a file name");
+  return text;
+}
+
+std::uint64_t seedFrom(const std::string& text)
+{
+  std::uint64_t seed = 0;
+  if (!parseInteger(text, seed)) fail("--seed", text, "an integer >= 0");
+  return seed;
+}
+
+Method methodFrom(const std::string& text)
+{
+  try
+  {
+    return methodFromName(text);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw UsageError("--method: " + text + ": " + error.what());
+  }
+}
+
+void apply(int letter, const std::string& value, const std::string& word, SimulateOptions& options)
+{
+  switch (letter)
+  {
+    case 'd':
+      options.duration = positive("--duration", value);
+      break;
+    case 'r':
+      options.rate = positive("--rate", value);
+      break;
+    case 'm':
+      options.method = methodFrom(value);
+      break;
+    case 't':
+      options.dt = positive("--dt", value);
+      break;
+    case 's':
+      options.seed = seedFrom(value);
+      break;
+    case 'c':
+      options.contacts_path = fileName("--contacts", value);
+      break;
+    case 'h':
+      options.help = true;
+      break;
+    case ':':
+      fail(word, "nothing", "a value after it");
+    default:
+      fail(word, "unknown option", "one of those that --help lists");
+  }
+}
+
+void checkComplete(const SimulateOptions& options)
+{
+  if (options.scene_path.empty()) fail("SCENE.yaml", "missing", "the scene file to run; see --help");
+  if (!options.duration) fail("--duration", "missing", "the simulated time [s]");
+  if (*options.duration * options.rate > kMaxRows) fail("--rate", "too many rows", "at most 1e12 rows");
+}
+}  // namespace
+
+const char* const kSimulateHelp =
+    "usage: simulate SCENE.yaml --duration T [options]\n"
+    "Runs a scene and writes the state of each ball as CSV to standard output, from t = 0, and a summary to standard\n"
+    "error. SI units, radians; frame `world`.\n"
+    "  --duration T      simulated time [s], required\n"
+    "  --rate R          rows per second and ball [Hz], default 100; row k is at k / R\n"
+    "  --method M        instead of the scene's: euler_explicit, euler_semi_implicit, exact\n"
+    "  --dt H            longest step of the fixed-step methods [s], instead of the scene's\n"
+    "  --seed N          of random patterns, instead of the scene's\n"
+    "  --contacts FILE   writes each impact as CSV to FILE\n"
+    "  --help            this text\n"
+    "Exit status: 0 the run is whole; 1 output could not be written; 2 bad input; 3 the world reported a problem.\n";
+
+SimulateOptions parseSimulateOptions(int argc, char** argv)
+{
+  SimulateOptions options;
+  opterr = 0;  // one line of our own instead
+  int letter = 0;
+  while ((letter = getopt_long(argc, argv, ":", kOptions, nullptr)) != -1)
+    apply(letter, optarg != nullptr ? optarg : "", argv[optind - 1], options);
+  if (options.help) return options;
+  if (optind < argc) options.scene_path = argv[optind];
+  if (optind + 1 < argc) fail(argv[optind + 1], "second scene", "one scene file");
+  checkComplete(options);
+  return options;
+}
+}  // namespace ping_pong

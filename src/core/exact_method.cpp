@@ -1,0 +1,301 @@
+#include "exact_method.h"
+
+#include <cmath>
+
+#include "contact_mode.h"
+#include "foresight.h"
+#include "ping_pong_sim/resolve.h"
+#include "placement.h"
+
+namespace ping_pong
+{
+namespace
+{
+// Contacts of a ball that follow each other faster than this are a streak. A long streak means that events pile up: balls
+// collapse on each other, or a ball is squeezed. Then, and only then, balls stop losing speed to each other (the TC rule of
+// Luding and McNamara 1998), which makes the number of events finite.
+constexpr double kStreakTime = 1e-5;       // [s]
+constexpr double kStreakForgotten = 1e-3;  // a streak ends when nothing happens for so long [s]
+constexpr int kLongStreak = 64;
+constexpr int kHopelessStreak = 1000;
+// Balls that press on each other and no longer bounce part with this speed: hops of v^2/2g = 5e-8 m, 0.2 ms long.
+constexpr double kHopSpeed = 1e-3;     // [m/s]
+constexpr double kTouchSpeed = 1e-9;   // slower is no impact [m/s]
+constexpr double kSqueezeGap = 2e-5;   // room left to a ball that counts as squeezed [m]
+constexpr double kRoom = 1e-9;         // overlap at which a squeezed ball is free again [m]
+constexpr double kOpposed = -0.999;    // cosine between normals of squeezing surfaces
+constexpr std::size_t kEventsPerAdvance = 1000000;
+constexpr std::size_t kEventsPerBall = 10000;
+
+void countStreak(BallRecord& ball, double t)
+{
+  const double pause = t - ball.last_contact;
+  if (pause < kStreakTime) ++ball.streak, ++ball.body_streak;
+  if (pause > kStreakForgotten) ball.streak = ball.body_streak = 0;
+  ball.last_contact = t;
+}
+
+const Event& soonest(const BallRecord& ball)
+{
+  return ball.next_moving.time < ball.next.time ? ball.next_moving : ball.next;
+}
+
+void foreseeAll(WorldState& world, std::size_t i, double t, double window_end)
+{
+  foresee(world, i, t);
+  foreseeMoving(world, i, t, window_end);
+}
+
+void restart(WorldState& world, std::size_t i, const BallState& state, double t, double window_end)
+{
+  planPath(world, world.balls[i], state, t, window_end);
+  foreseeAll(world, i, t, window_end);
+}
+
+// --- squeezed balls ---
+
+// Touching a second surface that comes against the first: there is no way out but through one of them.
+bool squeezedBetween(const WorldState& world, const BallRecord& ball, const BallState& state, const Gap& first,
+                     const Vector3d& u_first, double t)
+{
+  for (const BodyRecord& body : world.bodies)
+  {
+    const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
+    for (const Shape& shape : body.shapes())
+    {
+      const Gap other = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
+      if (other.gap > kSqueezeGap || other.n_W.dot(first.n_W) > kOpposed) continue;
+      const Vector3d u_other = frame.pointVelocity(state.p_WB - ball.params.radius * other.n_W);
+      if (first.n_W.dot(u_first - u_other) > 0.0) return true;
+    }
+  }
+  return false;
+}
+
+// The ball stays where it was last whole, collides with nothing, and is let go at rest when there is room again.
+void squeeze(BallRecord& ball, BallState state, double t)
+{
+  ball.squeezed = true;
+  ball.supports = Supports();
+  ball.next = ball.next_moving = Event();
+  ++ball.version;
+  state.v_WB.setZero();
+  ball.path = fly(state, t, Forces());
+}
+
+// --- resolve ---
+
+// Hops of a pile are not worth a report.
+bool worthAReport(const BallRecord& ball, double closing)
+{
+  return closing > (ball.streak > kLongStreak ? 2.0 * kHopSpeed : kTouchSpeed);
+}
+
+void recordBodyContact(WorldState& world, const BallRecord& ball, const Event& event, const BallState& before,
+                       const Vector3d& v_after, const Gap& gap, const Vector3d& u, double t)
+{
+  Contact contact;
+  contact.time = t;
+  contact.ball = ball.id;
+  contact.body = event.other;
+  contact.shape = event.shape;
+  contact.p_WC = before.p_WB - ball.params.radius * gap.n_W;
+  contact.n_W = gap.n_W;
+  contact.v_before = before.v_WB;
+  contact.v_after = v_after;
+  contact.w_before = contact.w_after = before.w_WB;
+  contact.v_other = u;
+  contact.impulse = ball.params.mass * (v_after - before.v_WB);
+  world.contacts.push_back(contact);
+  ++world.status.contacts;
+}
+
+// After a bounce: if all bounces to come are too small to count, the ball lies on the surface from now on.
+void settle(const WorldState& world, BallRecord& ball, const Event& event, const Surface& law, const BodyFrame& frame,
+            BallState& state, double t)
+{
+  const BodyRecord& body = world.bodies[event.other];
+  const Shape& shape = body.shapes()[event.shape];
+  AccelerationBounds bounds;
+  const Vector3d a = heldAcceleration(world, ball.supports, state, t, bounds);
+  const double press = -gapAcceleration(shape, frame, state.p_WB, state.v_WB, a);
+  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
+  if (!bouncingEnds(gap.rate, press, law.restitution)) return;
+  ball.supports.add(event.other, event.shape);
+  ball.supports.since = t + timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution);
+  state.v_WB -= gap.rate * gap.n_W;
+}
+
+void hitBody(WorldState& world, std::size_t i, const Event& event, double t, double window_end)
+{
+  BallRecord& ball = world.balls[i];
+  const BodyRecord& body = world.bodies[event.other];
+  const Shape& shape = body.shapes()[event.shape];
+  const Surface& law = world.surface(ball, shape);
+  const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
+  BallState state = ball.stateAt(t);
+  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
+  const Vector3d u = frame.pointVelocity(state.p_WB - ball.params.radius * gap.n_W);
+  countStreak(ball, t);
+  if (ball.body_streak > kHopelessStreak ||
+      (ball.body_streak > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
+    return squeeze(ball, state, t);
+  const BallState before = state;
+  state.v_WB = bounce(law, state.v_WB, u, gap.n_W);
+  if (worthAReport(ball, -gap.rate)) recordBodyContact(world, ball, event, before, state.v_WB, gap, u, t);
+  settle(world, ball, event, law, frame, state, t);
+  restart(world, i, state, t, window_end);
+}
+
+// Speed of separation of two balls after they met with this closing speed. Where a force keeps pressing them together, the
+// end of a pile-up is a hop; else it is an elastic impact.
+double separationSpeed(const BallRecord& a, const BallRecord& b, double closing, double restitution, bool forced)
+{
+  if (closing <= kTouchSpeed) return kHopSpeed;
+  if (std::min(a.streak, b.streak) <= kLongStreak) return restitution * closing;
+  return forced ? std::max(closing, kHopSpeed) : closing;
+}
+
+void recordBallContact(WorldState& world, const BallRecord& a, const BallRecord& b, const BallState& before_a,
+                       const BallState& before_b, const Vector3d& n, const Vector3d& impulse, double t)
+{
+  Contact contact;
+  contact.time = t;
+  contact.ball = a.id;
+  contact.with_ball = true;
+  contact.other_ball = b.id;
+  contact.n_W = n;
+  contact.p_WC = before_a.p_WB - a.params.radius * n;
+  contact.v_before = before_a.v_WB;
+  contact.v_after = before_a.v_WB + impulse / a.params.mass;
+  contact.w_before = contact.w_after = before_a.w_WB;
+  contact.v_other = before_b.v_WB;
+  contact.impulse = impulse;
+  world.contacts.push_back(contact);
+  ++world.status.contacts;
+}
+
+void hitBall(WorldState& world, std::size_t i, std::size_t k, double t, double window_end)
+{
+  BallRecord& a = world.balls[i];
+  BallRecord& b = world.balls[k];
+  BallState state_a = a.stateAt(t);
+  BallState state_b = b.stateAt(t);
+  const Vector3d n = (state_a.p_WB - state_b.p_WB).normalized();
+  const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
+  countStreak(a, t);
+  countStreak(b, t);
+  a.body_streak = b.body_streak = 0;
+  // The law's restitution, or what a pile-up leaves of it.
+  const double speed = separationSpeed(a, b, closing, world.surface(a, b).restitution,
+                                       !freeAcceleration(world.scene.forces).isZero(0.0));
+  const double reduced = a.params.mass * b.params.mass / (a.params.mass + b.params.mass);
+  const Vector3d impulse = reduced * (closing + speed) * n;
+  if (worthAReport(a, closing)) recordBallContact(world, a, b, state_a, state_b, n, impulse, t);
+  state_a.v_WB += impulse / a.params.mass;
+  state_b.v_WB -= impulse / b.params.mass;
+  planPath(world, a, state_a, t, window_end);
+  planPath(world, b, state_b, t, window_end);
+  foreseeAll(world, i, t, window_end);
+  foreseeAll(world, k, t, window_end);
+}
+
+void handle(WorldState& world, std::size_t i, double window_end)
+{
+  const Event event = soonest(world.balls[i]);
+  const double t = event.time;
+  if (!stillTrue(world, event) || event.kind == Event::Kind::LookAgain) return foreseeAll(world, i, t, window_end);
+  switch (event.kind)
+  {
+    case Event::Kind::HitBody:
+      return hitBody(world, i, event, t, window_end);
+    case Event::Kind::HitBall:
+      return hitBall(world, i, event.other, t, window_end);
+    default:
+      return restart(world, i, world.balls[i].stateAt(t), t, window_end);
+  }
+}
+
+std::size_t earliestBall(const WorldState& world)
+{
+  std::size_t first = kNone;
+  double time = kNever;
+  for (std::size_t i = 0; i < world.balls.size(); ++i)
+    if (soonest(world.balls[i]).time < time)
+    {
+      time = soonest(world.balls[i]).time;
+      first = i;
+    }
+  return first;
+}
+
+bool liesOnMovedBody(const WorldState& world, const BallRecord& ball)
+{
+  for (std::size_t k = 0; k < ball.supports.count; ++k)
+  {
+    const BodyRecord& body = world.bodies[ball.supports.list[k].body];
+    if (body.moving || body.moved) return true;
+  }
+  return false;
+}
+
+// Paddles move differently from now on: what was foreseen with them is void.
+void startWindow(WorldState& world, double window_end)
+{
+  bool stopped = false;
+  bool moving = false;
+  for (const BodyRecord& body : world.bodies)
+  {
+    stopped |= body.moved && !body.moving;
+    moving |= body.moving;
+  }
+  for (std::size_t i = 0; i < world.balls.size(); ++i)
+  {
+    BallRecord& ball = world.balls[i];
+    if (ball.squeezed) continue;
+    if (liesOnMovedBody(world, ball))
+      restart(world, i, ball.stateAt(world.time), world.time, window_end);
+    else if (stopped)
+      foreseeAll(world, i, world.time, window_end);
+    else if (moving || ball.next_moving.kind != Event::Kind::None)
+      foreseeMoving(world, i, world.time, window_end);
+  }
+}
+}  // namespace
+
+void restartExact(WorldState& world)
+{
+  for (BallRecord& ball : world.balls)
+    if (!ball.squeezed) planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
+  for (std::size_t i = 0; i < world.balls.size(); ++i) foreseeAll(world, i, world.time, world.time);
+}
+
+void runExact(WorldState& world, double window_end)
+{
+  startWindow(world, window_end);
+  const std::size_t limit = kEventsPerAdvance + kEventsPerBall * world.balls.size();
+  for (std::size_t i = earliestBall(world); i != kNone; i = earliestBall(world))
+  {
+    if (soonest(world.balls[i]).time > window_end) return;
+    if (++world.status.events > limit)
+    {
+      world.status.event_limit = true;
+      return;
+    }
+    handle(world, i, window_end);
+  }
+}
+
+void releaseSqueezed(WorldState& world)
+{
+  for (std::size_t i = 0; i < world.balls.size(); ++i)
+  {
+    BallRecord& ball = world.balls[i];
+    if (!ball.squeezed) continue;
+    const BallState state = ball.stateAt(world.time);
+    if (deepestOverlap(world, state.p_WB, ball.params.radius, world.time).gap < -kRoom) continue;
+    ball.squeezed = false;
+    restart(world, i, state, world.time, world.time);
+  }
+}
+}  // namespace ping_pong

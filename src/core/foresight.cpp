@@ -1,0 +1,80 @@
+#include "foresight.h"
+
+namespace ping_pong
+{
+namespace
+{
+// A ball that meets nothing looks again after so long: it bounds the work of a search into empty space.
+constexpr double kHorizon = 1.0;  // [s]
+
+Event toEvent(const Detection& found, Event::Kind kind, std::size_t other, std::size_t shape, unsigned version)
+{
+  return {found.undecided ? Event::Kind::LookAgain : kind, found.time, other, shape, version};
+}
+
+bool liesStill(const BallRecord& ball)
+{
+  return ball.path.degree == 0;
+}
+
+void lookAtBody(const WorldState& world, const BallRecord& ball, std::size_t b, double t, double until, Event& next)
+{
+  const BodyRecord& body = world.bodies[b];
+  for (std::size_t s = 0; s < body.shapes().size(); ++s)
+  {
+    if (ball.supports.has(b, s)) continue;
+    const Detection found = firstContact(ball.path, ball.params.radius, body.shapes()[s], body.frame(), t,
+                                         std::min(until, next.time));
+    if (found.time < next.time) next = toEvent(found, Event::Kind::HitBody, b, s, body.version);
+  }
+}
+
+void lookAtBall(WorldState& world, std::size_t i, std::size_t k, double t)
+{
+  BallRecord& mine = world.balls[i];
+  BallRecord& other = world.balls[k];
+  if (k == i || other.squeezed || (liesStill(mine) && liesStill(other))) return;
+  const double until = std::min(mine.next.time, t + kHorizon);
+  const Detection found = firstContact(mine.path, mine.params.radius, other.path, other.params.radius, t, until);
+  if (!(found.time < mine.next.time)) return;
+  mine.next = toEvent(found, Event::Kind::HitBall, k, kNone, other.version);
+  if (found.time < other.next.time) other.next = toEvent(found, Event::Kind::HitBall, i, kNone, mine.version);
+}
+
+Event endOfPath(const BallRecord& ball, double t)
+{
+  Event end;
+  if (ball.path.end < kNever) end = {Event::Kind::LeaveFace, ball.path.end, kNone, kNone, 0};
+  if (!liesStill(ball) && t + kHorizon < end.time) end = {Event::Kind::LookAgain, t + kHorizon, kNone, kNone, 0};
+  return end;
+}
+}  // namespace
+
+void foresee(WorldState& world, std::size_t i, double t)
+{
+  BallRecord& ball = world.balls[i];
+  ball.next = Event();
+  if (ball.squeezed) return;
+  ball.next = endOfPath(ball, t);
+  if (!liesStill(ball))
+    for (std::size_t b = 0; b < world.bodies.size(); ++b)
+      if (!world.bodies[b].moving) lookAtBody(world, ball, b, t, kNever, ball.next);
+  for (std::size_t k = 0; k < world.balls.size(); ++k) lookAtBall(world, i, k, t);
+}
+
+void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end)
+{
+  BallRecord& ball = world.balls[i];
+  ball.next_moving = Event();
+  if (ball.squeezed) return;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b)
+    if (world.bodies[b].moving) lookAtBody(world, ball, b, t, window_end, ball.next_moving);
+}
+
+bool stillTrue(const WorldState& world, const Event& event)
+{
+  if (event.kind == Event::Kind::HitBall) return world.balls[event.other].version == event.version;
+  if (event.kind == Event::Kind::HitBody) return world.bodies[event.other].version == event.version;
+  return true;
+}
+}  // namespace ping_pong

@@ -1,0 +1,70 @@
+#include "overlap.h"
+
+#include <cmath>
+
+namespace ping_pong
+{
+namespace
+{
+/// Not a number, from sizes near the end of the number range, counts as an overlap.
+void keepDeepest(const std::string& with, double depth, std::optional<Overlap>& deepest)
+{
+  if (depth <= kTouchTolerance) return;
+  if (!deepest || depth > deepest->depth) deepest = Overlap{with, depth};
+}
+}  // namespace
+
+std::size_t OverlapFinder::CubeHash::operator()(const Cube& cube) const
+{
+  std::size_t hash = 0;
+  for (const double index : cube) hash = hash * 1000003u + std::hash<double>()(index);
+  return hash;
+}
+
+OverlapFinder::OverlapFinder(const std::vector<Body>& bodies, double largest_radius)
+    : bodies_(bodies), cube_size_(2.0 * largest_radius)
+{
+}
+
+OverlapFinder::Cube OverlapFinder::cubeOf(const Vector3d& p_WB) const
+{
+  // Indices stay floating point: far away they lose digits, where an integer would overflow.
+  return {std::floor(p_WB.x() / cube_size_), std::floor(p_WB.y() / cube_size_), std::floor(p_WB.z() / cube_size_)};
+}
+
+void OverlapFinder::addBall(const Vector3d& p_WB, double radius)
+{
+  cubes_[cubeOf(p_WB)].push_back(balls_.size());
+  balls_.push_back({p_WB, radius});
+}
+
+void OverlapFinder::findBodies(const Vector3d& p_WB, double radius, std::optional<Overlap>& deepest) const
+{
+  for (const Body& body : bodies_)
+  {
+    const Vector3d p_BQ = body.pose.q.conjugate() * (p_WB - body.pose.p);
+    for (const Shape& shape : body.shapes) keepDeepest(body.name, radius - proximity(shape, p_BQ).distance, deepest);
+  }
+}
+
+void OverlapFinder::findBalls(const Vector3d& p_WB, double radius, std::optional<Overlap>& deepest) const
+{
+  const Cube centre = cubeOf(p_WB);
+  for (int neighbour = 0; neighbour < 27; ++neighbour)
+  {
+    const Cube cube = {centre[0] + neighbour % 3 - 1, centre[1] + neighbour / 3 % 3 - 1, centre[2] + neighbour / 9 - 1};
+    const auto found = cubes_.find(cube);
+    if (found == cubes_.end()) continue;
+    for (const std::size_t i : found->second)
+      keepDeepest("ball_" + std::to_string(i), radius + balls_[i].radius - (p_WB - balls_[i].p_WB).norm(), deepest);
+  }
+}
+
+std::optional<Overlap> OverlapFinder::find(const Vector3d& p_WB, double radius) const
+{
+  std::optional<Overlap> deepest;
+  findBodies(p_WB, radius, deepest);
+  findBalls(p_WB, radius, deepest);
+  return deepest;
+}
+}  // namespace ping_pong

@@ -1,0 +1,124 @@
+#include "scene_balls.h"
+
+#include "ball_placement.h"
+#include "materials.h"
+#include "scene_bodies.h"
+#include "scene_colors.h"
+
+namespace ping_pong
+{
+namespace
+{
+const std::vector<std::string> kSingleKeys = {"position", "velocity", "spin", "radius", "mass", "color", "material"};
+
+/// Keys that all three ways to list balls have in common.
+void readParams(const Map& map, Scene& scene, BallGroup& group)
+{
+  if (const Field* f = map.find("radius")) group.params.radius = f->positive();
+  if (const Field* f = map.find("mass")) group.params.mass = f->positive();
+  if (const Field* f = map.find("color")) group.palette = readPalette(*f);
+  const Field* material = map.find("material");
+  group.params.material =
+      internMaterial(scene.materials, material != nullptr ? readMaterial(*material) : kBallMaterial);
+}
+
+void readVelocities(const Map& map, BallGroup& group)
+{
+  if (const Field* f = map.find("velocity")) group.velocity = f->vector();
+  if (const Field* f = map.find("spin")) group.spin = f->vector();
+}
+
+BallGroup readSingle(const Field& field, Scene& scene)
+{
+  const Map map(field, kSingleKeys);
+  const Field& position = map.at("position", "the centre [x, y, z], or grid, or random");
+  BallGroup group(position);
+  group.origin = position.vector();
+  readParams(map, scene, group);
+  readVelocities(map, group);
+  return group;
+}
+
+Vector3d readSpacing(const Field& field)
+{
+  if (!field.isList()) return Vector3d::Constant(field.positive());
+  const std::vector<Field> items = field.list(3, "a number, or three numbers [x, y, z]");
+  return {items[0].positive(), items[1].positive(), items[2].positive()};
+}
+
+BallGroup readGrid(const Field& field, Scene& scene)
+{
+  const Map map(field, {"count", "spacing", "origin", "jitter", "seed", "velocity", "spin", "radius", "mass", "color",
+                        "material"});
+  const Field& origin = map.at("origin", "the centre [x, y, z] of the first ball");
+  BallGroup group(origin);
+  group.origin = origin.vector();
+  const std::string three = "three integers [x, y, z]";
+  const std::vector<Field> count = map.at("count", three).list(3, three);
+  for (std::size_t axis = 0; axis < 3; ++axis) group.grid[axis] = count[axis].count();
+  group.spacing = readSpacing(map.at("spacing", "the distance between centres"));
+  if (const Field* f = map.find("jitter")) group.jitter = f->notNegative();
+  if (const Field* f = map.find("seed")) group.seed = f->integer();
+  readParams(map, scene, group);
+  readVelocities(map, group);
+  return group;
+}
+
+BallGroup readRandom(const Field& field, Scene& scene)
+{
+  const Map map(field, {"count", "min", "max", "seed", "speed", "spin", "radius", "mass", "color", "material"});
+  const Field& count = map.at("count", "the number of balls");
+  BallGroup group(count);
+  group.random = true;
+  group.grid[0] = count.count();
+  group.origin = map.at("min", "the lowest centre [x, y, z]").vector();
+  const Field& max = map.at("max", "the highest centre [x, y, z]");
+  group.max = max.vector();
+  if (!(group.origin.array() <= group.max.array()).all()) max.fail("a corner that is not below min on any axis");
+  if (const Field* f = map.find("seed")) group.seed = f->integer();
+  if (const Field* f = map.find("speed")) group.random_speed = f->notNegative();
+  if (const Field* f = map.find("spin")) group.random_spin = f->notNegative();
+  readParams(map, scene, group);
+  return group;
+}
+
+/// An entry is a single ball, or holds a pattern and nothing beside it.
+BallGroup readGroup(const Field& field, Scene& scene)
+{
+  std::vector<std::string> keys = kSingleKeys;
+  keys.insert(keys.end(), {"grid", "random"});
+  const Map map(field, keys);
+  if (const Field* grid = map.find("grid"))
+  {
+    Map(field, {"grid"});
+    return readGrid(*grid, scene);
+  }
+  if (const Field* random = map.find("random"))
+  {
+    Map(field, {"random"});
+    return readRandom(*random, scene);
+  }
+  return readSingle(field, scene);
+}
+
+[[noreturn]] void failTotal(const BallGroup& group, std::size_t total)
+{
+  group.where.failWith(std::to_string(total) + " balls", "at most " + std::to_string(Field::kMaxCount) + " in a scene");
+}
+}  // namespace
+
+void readBalls(const Map& scene_map, const LoadOptions& options, Scene& scene)
+{
+  const Field* balls = scene_map.find("balls");
+  if (balls == nullptr) return;
+  std::vector<BallGroup> groups;
+  std::size_t total = 0;
+  for (const Field& field : balls->list())
+  {
+    groups.push_back(readGroup(field, scene));
+    total += groups.back().count();
+    if (total > Field::kMaxCount) failTotal(groups.back(), total);
+  }
+  placeBalls(groups, options, scene);
+}
+}  // namespace ping_pong

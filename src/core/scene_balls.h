@@ -1,0 +1,12 @@
+// The part `balls` of a scene file.
+#pragma once
+
+#include "ping_pong_sim/scene.h"
+#include "ping_pong_sim/scene_loader.h"
+#include "yaml_reader.h"
+
+namespace ping_pong
+{
+/// Appends all balls, placed and checked against overlap. Bodies must be complete.
+void readBalls(const Map& scene_map, const LoadOptions& options, Scene& scene);
+}  // namespace ping_pong

@@ -1,0 +1,62 @@
+#include "ping_pong_sim/scene_loader.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "materials.h"
+#include "scene_balls.h"
+#include "scene_bodies.h"
+#include "scene_surfaces.h"
+#include "yaml_reader.h"
+
+namespace ping_pong
+{
+namespace
+{
+/// A number points down; a vector points where it says.
+Vector3d readGravity(const Field& field)
+{
+  if (field.isList()) return field.vector();
+  return {0.0, 0.0, 0.0 - field.notNegative()};  // not -x: that would make a zero negative
+}
+
+Forces readForces(const Field& field)
+{
+  const Map map(field, {"gravity"});
+  Forces forces;
+  if (const Field* f = map.find("gravity")) forces.gravity = readGravity(*f);
+  return forces;
+}
+
+Method readMethod(const Field& field)
+{
+  const std::string text = field.text();
+  try
+  {
+    return methodFromName(text);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    const std::string reason = error.what(), prefix = "expected ";
+    field.fail(reason.compare(0, prefix.size(), prefix) == 0 ? reason.substr(prefix.size()) : reason);
+  }
+}
+}  // namespace
+
+Scene loadScene(const std::string& path, const LoadOptions& options)
+{
+  const Map map(readYaml(path), {"name", "forces", "floor", "bodies", "balls", "surfaces", "method", "dt"});
+  Scene scene;
+  scene.path = path;
+  scene.name = std::filesystem::path(path).stem().string();
+  scene.materials = {kBallMaterial};
+  if (const Field* f = map.find("name")) scene.name = f->text();
+  if (const Field* f = map.find("forces")) scene.forces = readForces(*f);
+  if (const Field* f = map.find("method")) scene.method = readMethod(*f);
+  if (const Field* f = map.find("dt")) scene.dt = f->positive();
+  readBodies(map, scene);
+  readBalls(map, options, scene);
+  readSurfaces(map, scene);
+  return scene;
+}
+}  // namespace ping_pong

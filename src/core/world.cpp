@@ -1,0 +1,330 @@
+#include "ping_pong_sim/world.h"
+
+#include <cmath>
+
+#include "exact_method.h"
+#include "fixed_step.h"
+#include "ping_pong_sim/drive.h"
+#include "placement.h"
+#include "world_state.h"
+
+namespace ping_pong
+{
+namespace
+{
+// Paddles that move are given a new motion at least so often, however long the tick.
+constexpr double kLongestMotion = 5e-3;  // [s]
+
+std::string refuseState(const BallState& state)
+{
+  if (!state.p_WB.allFinite()) return "position: not finite; expected three finite numbers [m]";
+  if (!state.v_WB.allFinite()) return "velocity: not finite; expected three finite numbers [m/s]";
+  if (!state.w_WB.allFinite()) return "spin: not finite; expected three finite numbers [rad/s]";
+  if (!(std::abs(state.q_WB.norm() - 1.0) < 1e-6)) return "orientation: expected a quaternion of length 1";
+  return {};
+}
+
+std::string refusePose(const Pose& pose)
+{
+  if (!pose.p.allFinite()) return "position: not finite; expected three finite numbers [m]";
+  if (!(std::abs(pose.q.norm() - 1.0) < 1e-6)) return "orientation: expected a quaternion of length 1";
+  return {};
+}
+}  // namespace
+
+struct World::Impl : WorldState
+{
+  Scene loaded;
+  BallId next_id = 0;
+  double time_rest = 0.0;  // what rounding took from time: N ticks of h end at N h
+
+  void start();
+  BallRecord& add(const BallParams& params, const BallState& state);
+  double later(double duration);
+  double movePaddles(double end);
+  void runMethod(double end);
+  void plan();
+  void letGo(std::size_t body);
+};
+
+void World::Impl::start()
+{
+  scene = loaded;
+  time = time_rest = 0.0;
+  next_id = 0;
+  contacts.clear();
+  status = StepStatus();
+  balls.clear();
+  bodies.clear();
+  for (const Body& body : scene.bodies)
+  {
+    BodyRecord record;
+    record.body = body;
+    placeBody(record, body.pose);
+    bodies.push_back(record);
+  }
+  for (const SceneBall& ball : scene.balls) add(ball.params, ball.state);
+  plan();
+}
+
+BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
+{
+  BallRecord ball;
+  ball.id = next_id++;
+  ball.params = params;
+  ball.path = fly(state, time, Forces());
+  balls.push_back(ball);
+  return balls.back();
+}
+
+void World::Impl::plan()
+{
+  if (scene.method == Method::Exact) restartExact(*this);
+}
+
+// Neumaier's compensated sum.
+double World::Impl::later(double duration)
+{
+  const double with_rest = duration + time_rest;
+  const double end = time + with_rest;
+  time_rest = with_rest - (end - time);
+  return end;
+}
+
+bool atWork(const BodyRecord& body)
+{
+  return body.body.kind == BodyKind::Kinematic && (body.moving || body.command.mode != PaddleCommand::Mode::Hold);
+}
+
+// Gives every paddle one smooth motion that follows its command and stops at static bodies; returns until when all hold.
+double World::Impl::movePaddles(double end)
+{
+  bool work = false;
+  for (BodyRecord& body : bodies)
+  {
+    body.moved = body.moving;
+    work |= atWork(body);
+  }
+  if (!work) return end;
+  std::vector<Obstacle> obstacles;
+  for (const BodyRecord& body : bodies)
+    if (body.body.kind == BodyKind::Static) obstacles.push_back({&body.body.shapes, body.motion.pose});
+  const double pieces = std::max(1.0, std::ceil((end - time) / kLongestMotion - 1e-9));
+  double h = (end - time) / pieces;
+  for (BodyRecord& body : bodies)
+  {
+    if (!atWork(body)) continue;
+    const BodyMotion wanted = followCommand(body.command, body.body.limits, body.motion, time, h);
+    const BlockedMotion allowed = stopAtObstacles(body.body.shapes, wanted, h, obstacles);
+    body.motion = allowed.motion;
+    h = std::min(h, allowed.duration);
+    status.blocked_paddles += allowed.blocked;
+  }
+  for (BodyRecord& body : bodies)
+  {
+    if (!atWork(body)) continue;
+    if (body.command.mode == PaddleCommand::Mode::Pose)
+    {
+      body.command.pose.p += h * body.command.twist.v;
+      body.command.pose.q = turned(body.command.pose.q, body.command.twist.w, h);
+    }
+    const bool moving = !body.motion.still();
+    if (moving && !body.moving) ++body.version;
+    if (!moving && body.moving) placeBody(body, body.motion.pose);
+    body.moving = moving;
+  }
+  return h < end - time ? time + h : end;
+}
+
+void World::Impl::runMethod(double end)
+{
+  if (scene.method == Method::Exact)
+    runExact(*this, end);
+  else
+    runFixedStep(*this, end);
+}
+
+// Balls on this body look anew for what carries them.
+void World::Impl::letGo(std::size_t body)
+{
+  for (BallRecord& ball : balls)
+  {
+    bool lay_there = false;
+    for (std::size_t i = 0; i < ball.supports.count; ++i) lay_there |= ball.supports.list[i].body == body;
+    if (lay_there) ball.supports = Supports();
+  }
+}
+
+World::World(const Scene& scene) : impl_(std::make_unique<Impl>())
+{
+  impl_->loaded = scene;
+  impl_->start();
+}
+
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+StepStatus World::advance(double duration)
+{
+  Impl& world = *impl_;
+  world.contacts.clear();
+  world.status = StepStatus();
+  const double end = world.later(duration);
+  while (world.time < end)
+  {
+    const double next = world.movePaddles(end);
+    world.runMethod(next);
+    world.time = next;
+    releaseSqueezed(world);
+  }
+  for (const BallRecord& ball : world.balls) world.status.squeezed += ball.squeezed;
+  return world.status;
+}
+
+double World::time() const { return impl_->time; }
+const Scene& World::scene() const { return impl_->loaded; }
+const std::vector<Contact>& World::contacts() const { return impl_->contacts; }
+
+std::size_t World::ballCount() const { return impl_->balls.size(); }
+BallId World::ballId(std::size_t index) const { return impl_->balls[index].id; }
+
+std::size_t World::findBall(BallId id) const
+{
+  for (std::size_t i = 0; i < impl_->balls.size(); ++i)
+    if (impl_->balls[i].id == id) return i;
+  return kNone;
+}
+
+const BallParams& World::ballParams(std::size_t index) const { return impl_->balls[index].params; }
+BallState World::ballState(std::size_t index) const { return impl_->balls[index].stateAt(impl_->time); }
+
+bool World::resting(std::size_t index) const
+{
+  const BallRecord& ball = impl_->balls[index];
+  return !ball.supports.none() && ball.path.degree == 0 && ball.supports.since <= impl_->time;
+}
+
+double World::restingSince(std::size_t index) const
+{
+  const BallRecord& ball = impl_->balls[index];
+  return ball.supports.none() ? std::nan("") : ball.supports.since;
+}
+
+std::size_t World::bodyCount() const { return impl_->bodies.size(); }
+
+std::size_t World::findBody(const std::string& name) const
+{
+  for (std::size_t i = 0; i < impl_->bodies.size(); ++i)
+    if (impl_->bodies[i].body.name == name) return i;
+  return kNone;
+}
+
+const Body& World::body(std::size_t index) const { return impl_->bodies[index].body; }
+
+Pose World::bodyPose(std::size_t index) const
+{
+  const BodyMotion& motion = impl_->bodies[index].motion;
+  return motion.poseAt(impl_->time - motion.start);
+}
+
+Twist World::bodyTwist(std::size_t index) const
+{
+  const BodyMotion& motion = impl_->bodies[index].motion;
+  return motion.twistAt(impl_->time - motion.start);
+}
+
+Totals World::totals() const
+{
+  Totals sum;
+  for (const BallRecord& ball : impl_->balls)
+  {
+    const BallState state = ball.stateAt(impl_->time);
+    const double m = ball.params.mass;
+    const double r = ball.params.radius;
+    sum.kinetic += 0.5 * m * state.v_WB.squaredNorm();
+    sum.rotational += 0.5 * (2.0 / 3.0 * m * r * r) * state.w_WB.squaredNorm();
+    sum.potential -= m * impl_->scene.forces.gravity.dot(state.p_WB);
+    sum.momentum += m * state.v_WB;
+  }
+  return sum;
+}
+
+Refusal World::command(std::size_t body, const PaddleCommand& command)
+{
+  if (body >= bodyCount()) return {"body: unknown index"};
+  BodyRecord& record = impl_->bodies[body];
+  if (record.body.kind != BodyKind::Kinematic) return {record.body.name + ": static; expected a kinematic body"};
+  if (!command.a_W.allFinite() || !command.alpha_W.allFinite()) return {"acceleration: expected finite numbers"};
+  if (!command.twist.v.allFinite() || !command.twist.w.allFinite()) return {"twist: expected finite numbers"};
+  if (command.mode == PaddleCommand::Mode::Pose)
+  {
+    const std::string reason = refusePose(command.pose);
+    if (!reason.empty()) return {reason};
+  }
+  record.command = command;
+  return {};
+}
+
+Refusal World::spawnBall(const BallParams& params, const BallState& state, BallId* id)
+{
+  if (!(params.radius > 0.0) || !std::isfinite(params.radius)) return {"radius: expected a finite number > 0 [m]"};
+  if (!(params.mass > 0.0) || !std::isfinite(params.mass)) return {"mass: expected a finite number > 0 [kg]"};
+  if (params.material >= impl_->scene.materials.size()) return {"material: unknown index"};
+  std::string reason = refuseState(state);
+  if (!reason.empty()) return {reason};
+  reason = describeOverlap(*impl_, state.p_WB, params.radius);
+  if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
+  const BallRecord& ball = impl_->add(params, state);
+  if (id) *id = ball.id;
+  impl_->plan();
+  return {};
+}
+
+Refusal World::deleteBall(BallId id)
+{
+  const std::size_t index = findBall(id);
+  if (index == kNone) return {"ball: no ball_" + std::to_string(id)};
+  impl_->balls.erase(impl_->balls.begin() + static_cast<std::ptrdiff_t>(index));
+  impl_->plan();
+  return {};
+}
+
+Refusal World::setBallState(BallId id, const BallState& state)
+{
+  const std::size_t index = findBall(id);
+  if (index == kNone) return {"ball: no ball_" + std::to_string(id)};
+  std::string reason = refuseState(state);
+  if (!reason.empty()) return {reason};
+  BallRecord& ball = impl_->balls[index];
+  reason = describeOverlap(*impl_, state.p_WB, ball.params.radius, index);
+  if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
+  ball.squeezed = false;
+  ball.supports = Supports();
+  ball.path = fly(state, impl_->time, Forces());
+  impl_->plan();
+  return {};
+}
+
+Refusal World::setBodyPose(std::size_t body, const Pose& pose)
+{
+  if (body >= bodyCount()) return {"body: unknown index"};
+  const std::string reason = refusePose(pose);
+  if (!reason.empty()) return {reason};
+  BodyRecord& record = impl_->bodies[body];
+  record.command = PaddleCommand();
+  placeBody(record, {pose.p, pose.q.normalized()});
+  impl_->letGo(body);
+  for (BallRecord& ball : impl_->balls)
+  {
+    BallState state = ball.stateAt(impl_->time);
+    const Vector3d before = state.p_WB;
+    ball.squeezed = !pushOut(*impl_, state.p_WB, ball.params.radius, impl_->time);
+    if (state.p_WB != before) ball.path = fly(state, impl_->time, Forces());
+  }
+  impl_->plan();
+  return {};
+}
+
+void World::reset() { impl_->start(); }
+}  // namespace ping_pong

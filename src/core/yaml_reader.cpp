@@ -1,0 +1,204 @@
+#include "yaml_reader.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace ping_pong
+{
+namespace
+{
+constexpr int kMaxNesting = 100;
+
+int lineOf(const YAML::Mark& mark)
+{
+  return std::max(mark.line, 0) + 1;
+}
+
+/// yaml-cpp before 0.7 follows nested brackets until the stack is full. Brackets in quotes and comments count too: the
+/// bound is far above what a scene needs.
+void checkNesting(const std::string& text, const std::string& path)
+{
+  int depth = 0, line = 1;
+  for (const char c : text)
+  {
+    if (c == '\n') ++line;
+    if (c == '[' || c == '{') ++depth;
+    if ((c == ']' || c == '}') && depth > 0) --depth;
+    if (depth > kMaxNesting) failLoad({path, line}, "scene", std::string(1, c), "at most 100 nested brackets");
+  }
+}
+}  // namespace
+
+Field::Field(YAML::Node node, FileLine at, std::string key)
+    : node_(std::move(node)), at_(std::move(at)), key_(std::move(key))
+{
+}
+
+bool Field::plain() const
+{
+  return node_.IsScalar() && node_.Tag() != "!";
+}
+
+std::string Field::value() const
+{
+  if (node_.IsScalar()) return node_.Scalar();
+  if (node_.IsMap()) return "a map";
+  if (!node_.IsSequence()) return "nothing";
+  std::vector<std::string> items;
+  for (const YAML::Node& item : node_)
+  {
+    if (!item.IsScalar()) return "a list";
+    items.push_back(item.Scalar());
+  }
+  return "[" + joined(items) + "]";
+}
+
+void Field::failWith(const std::string& value, const std::string& expected) const
+{
+  failLoad(at_, key_.empty() ? "scene" : key_, value, expected);
+}
+
+std::string Field::text() const
+{
+  if (!node_.IsScalar() || node_.Scalar().empty()) fail("a text");
+  return node_.Scalar();
+}
+
+double Field::number() const
+{
+  double number = 0.0;
+  if (!plain() || !parseNumber(node_.Scalar(), number)) fail("a finite number");
+  return number;
+}
+
+double Field::positive() const
+{
+  double number = 0.0;
+  if (!plain() || !parseNumber(node_.Scalar(), number) || !(number > 0.0)) fail("a finite number > 0");
+  return number;
+}
+
+double Field::positiveOrInfinite() const
+{
+  if (plain() && (node_.Scalar() == ".inf" || node_.Scalar() == "+.inf"))
+    return std::numeric_limits<double>::infinity();
+  double number = 0.0;
+  if (!plain() || !parseNumber(node_.Scalar(), number) || !(number > 0.0)) fail("a number > 0 or .inf");
+  return number;
+}
+
+double Field::notNegative() const
+{
+  double number = 0.0;
+  if (!plain() || !parseNumber(node_.Scalar(), number) || !(number >= 0.0)) fail("a finite number >= 0");
+  return number;
+}
+
+double Field::fraction() const
+{
+  double number = 0.0;
+  if (!plain() || !parseNumber(node_.Scalar(), number) || !(number >= 0.0 && number <= 1.0))
+    fail("a number from 0 to 1");
+  return number;
+}
+
+std::uint64_t Field::integer() const
+{
+  std::uint64_t number = 0;
+  if (!plain() || !parseInteger(node_.Scalar(), number)) fail("an integer >= 0");
+  return number;
+}
+
+std::size_t Field::count() const
+{
+  std::uint64_t number = 0;
+  if (!plain() || !parseInteger(node_.Scalar(), number) || number < 1 || number > kMaxCount)
+    fail("an integer from 1 to " + std::to_string(kMaxCount));
+  return static_cast<std::size_t>(number);
+}
+
+Vector3d Field::vector() const
+{
+  const std::vector<Field> items = list(3, "three numbers [x, y, z]");
+  return {items[0].number(), items[1].number(), items[2].number()};
+}
+
+Field Field::item(const YAML::Node& node, std::size_t index) const
+{
+  return {node, {at_.file, lineOf(node.Mark())}, key_ + "[" + std::to_string(index) + "]"};
+}
+
+std::vector<Field> Field::list() const
+{
+  if (!node_.IsSequence()) fail("a list");
+  std::vector<Field> items;
+  for (const YAML::Node& node : node_) items.push_back(item(node, items.size()));
+  return items;
+}
+
+std::vector<Field> Field::list(std::size_t size, const std::string& expected) const
+{
+  if (!node_.IsSequence() || node_.size() != size) fail(expected);
+  return list();
+}
+
+Map::Map(const Field& field, const std::vector<std::string>& known_keys) : field_(field)
+{
+  if (!field.isMap()) field.fail("a map with the keys " + joined(known_keys));
+  for (const auto& entry : field.node_) add(entry.first, entry.second, known_keys);
+}
+
+void Map::add(const YAML::Node& key, const YAML::Node& value, const std::vector<std::string>& known_keys)
+{
+  const int key_line = lineOf(key.Mark());
+  const std::string prefix = field_.key_.empty() ? "" : field_.key_ + ".";
+  const std::string name = key.IsScalar() ? key.Scalar() : "?";
+  // A missing value has the mark of whatever comes next.
+  const Field entry(value, {field_.at_.file, value.IsNull() ? key_line : lineOf(value.Mark())}, prefix + name);
+  const Field key_entry(key, {field_.at_.file, key_line}, prefix + name);
+  if (std::find(known_keys.begin(), known_keys.end(), name) == known_keys.end())
+    key_entry.failWith("unknown key", "one of " + joined(known_keys));
+  if (find(name) != nullptr) key_entry.failWith("repeated key", "each key once");
+  entries_.emplace_back(name, entry);
+}
+
+const Field* Map::find(const std::string& key) const
+{
+  for (const auto& [name, field] : entries_)
+    if (name == key) return &field;
+  return nullptr;
+}
+
+const Field& Map::at(const std::string& key, const std::string& expected) const
+{
+  if (const Field* field = find(key)) return *field;
+  const std::string prefix = field_.key_.empty() ? "" : field_.key_ + ".";
+  failLoad(field_.at_, prefix + key, "missing", expected);
+}
+
+Field readYaml(const std::string& path)
+{
+  std::string text;
+  try
+  {
+    text = readFile(path);
+  }
+  catch (const std::runtime_error& error)
+  {
+    failLoad({path, 1}, "scene", error.what(), "a readable file");
+  }
+  checkNesting(text, path);
+  try
+  {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() != 1)
+      failLoad({path, 1}, "scene", std::to_string(documents.size()) + " documents", "one YAML document");
+    return {documents[0], {path, lineOf(documents[0].Mark())}, ""};
+  }
+  catch (const YAML::Exception& error)
+  {
+    failLoad({path, lineOf(error.mark)}, "scene", error.msg, "well-formed YAML");
+  }
+}
+}  // namespace ping_pong
