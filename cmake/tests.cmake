@@ -34,6 +34,8 @@ foreach(name
     scene_loader
     urdf_loader
     simulate
+    paddle_drive
+    paddle_blocking
 )
   add_core_test(${name})
 endforeach()

@@ -11,9 +11,12 @@ namespace
 {
 // A paddle nearer than this touches. Thin enough not to be seen, thick enough that a turning paddle takes few steps.
 constexpr double kBand = 1e-4;  // [m]
-// Overlap (a table was moved onto the paddle) is undone at this rate and no faster than this speed.
+// Overlap (a table was moved onto the paddle) is undone at this rate and no faster than this speed, until this gap.
+constexpr double kKeepGap = 0.25 * kBand;  // [m]
 constexpr double kPushOutTime = 0.02;   // [s]
 constexpr double kPushOutSpeed = 1.0;   // [m/s]
+constexpr double kSlowest = 1e-12;      // closing slower than this is none [m/s]
+constexpr double kLeastSlack = 1e-8;    // an overlap may grow by this while it is undone [m]
 constexpr double kShortest = 1e-5;      // a motion cut shorter than this stops instead [s]
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr int kMaxLooks = 64;
@@ -45,7 +48,8 @@ std::vector<Pair> pairsInReach(const std::vector<Shape>& shapes, const BodyMotio
                                const std::vector<Obstacle>& obstacles)
 {
   const SpeedBound bound(shapes, motion, h);
-  const double travel = (bound.linear + bound.rotation()) * h + 2.0 * kBand;
+  // Bending a motion adds to its speed what its points lose against the surface.
+  const double travel = 2.0 * (bound.linear + bound.rotation()) * h + 20.0 * kBand;
   std::vector<Pair> pairs;
   for (const Shape& mine : shapes)
     for (const Obstacle& obstacle : obstacles)
@@ -59,19 +63,22 @@ std::vector<Pair> pairsInReach(const std::vector<Shape>& shapes, const BodyMotio
   return pairs;
 }
 
-// Touching now: takes out of velocity and acceleration what goes into the surface. True if something had to go.
-bool bendAway(const Separation& at, double band, BodyMotion& motion)
+// Touching now: takes out of velocity and acceleration what would go into the surface by the end of the motion. True if
+// something had to go.
+bool bendAway(const Separation& at, double band, double h, BodyMotion& motion)
 {
   if (at.gap > band) return false;
-  const double wanted = at.gap < 0.0 ? std::min(kPushOutSpeed, -at.gap / kPushOutTime) : 0.0;
+  const double wanted = at.gap < kKeepGap ? std::min(kPushOutSpeed, (kKeepGap - at.gap) / kPushOutTime) : 0.0;
   const Vector3d arm = at.p_WC - motion.pose.p;
   const double rate = at.n_W.dot(motion.twist.v + motion.twist.w.cross(arm));
   const double rate_change = at.n_W.dot(motion.a_WB + motion.alpha_WB.cross(arm));
-  const bool closing = rate < wanted - 1e-12;
-  const bool pressing = rate < wanted + 1e-12 && rate_change < -1e-9;
-  if (closing) motion.twist.v += (wanted - rate) * at.n_W;
-  if (closing || pressing) motion.a_WB -= std::min(rate_change, 0.0) * at.n_W;
-  return closing || pressing;
+  const double missing = wanted - rate;
+  const double missing_at_end = missing - h * rate_change;
+  if (missing < kSlowest && missing_at_end < kSlowest) return false;
+  if (missing > 0.0) motion.twist.v += missing * at.n_W;
+  const double still_missing = missing_at_end - std::max(missing, 0.0);
+  if (still_missing > 0.0) motion.a_WB += still_missing / h * at.n_W;
+  return true;
 }
 
 void stop(BodyMotion& motion)
@@ -81,13 +88,13 @@ void stop(BodyMotion& motion)
   motion.alpha_WB.setZero();
 }
 
-bool bendAwayFromAll(const std::vector<Pair>& pairs, double band, BodyMotion& motion)
+bool bendAwayFromAll(const std::vector<Pair>& pairs, double band, double h, BodyMotion& motion)
 {
   for (int i = 0; i < kMaxProjections; ++i)
   {
     bool bent = false;
     for (const Pair& pair : pairs)
-      bent |= bendAway(separation(*pair.mine, motion.pose, *pair.other, pair.X_WO), band, motion);
+      bent |= bendAway(separation(*pair.mine, motion.pose, *pair.other, pair.X_WO), band, h, motion);
     if (!bent) return i > 0;
   }
   stop(motion);  // wedged
@@ -98,8 +105,7 @@ bool bendAwayFromAll(const std::vector<Pair>& pairs, double band, BodyMotion& mo
 double safeFor(const Separation& at, const BodyMotion& motion, double s, double h,
                const SpeedBound& bound)
 {
-  if (at.gap < 0.0) return kForever;  // the push-out takes care
-  const double slack = at.gap > kBand ? at.gap - 0.5 * kBand : 0.5 * at.gap;
+  const double slack = at.gap > kBand ? at.gap - 0.5 * kBand : std::max(0.5 * at.gap, kLeastSlack);
   const double closing = -at.n_W.dot(motion.twist.v + s * motion.a_WB);
   const double closing_later = closing - (h - s) * at.n_W.dot(motion.a_WB);
   const double speed = std::max({closing, closing_later, 0.0}) + bound.rotation();
@@ -125,6 +131,15 @@ double clearUntil(const std::vector<Shape>& shapes, const BodyMotion& motion, do
   }
   return std::min(s, h);
 }
+// Bends the motion away from all pairs; true if it is then clear for a time worth moving.
+bool bentIsClear(const std::vector<Shape>& shapes, const std::vector<Pair>& pairs, double band, double h,
+                 BlockedMotion& result)
+{
+  result.blocked |= bendAwayFromAll(pairs, band, h, result.motion);
+  result.duration = clearUntil(shapes, result.motion, h, pairs);
+  result.blocked |= result.duration < h;
+  return result.duration >= h || result.duration > kShortest;
+}
 }  // namespace
 
 BlockedMotion stopAtObstacles(const std::vector<Shape>& shapes, const BodyMotion& motion, double h,
@@ -134,14 +149,12 @@ BlockedMotion stopAtObstacles(const std::vector<Shape>& shapes, const BodyMotion
   const std::vector<Pair> pairs = pairsInReach(shapes, motion, h, obstacles);
   if (pairs.empty()) return result;
   // A fast paddle just above the band would meet the surface at once: then treat it as touching from a little further.
+  // Where a turn drives it in, the turn gives way before the slide.
   for (const double band : {kBand, 4.0 * kBand, 16.0 * kBand})
-  {
-    result.blocked |= bendAwayFromAll(pairs, band, result.motion);
-    result.duration = clearUntil(shapes, result.motion, h, pairs);
-    if (result.duration >= h) return result;
-    result.blocked = true;
-    if (result.duration > kShortest) return result;
-  }
+    if (bentIsClear(shapes, pairs, band, h, result)) return result;
+  result.motion.twist.w.setZero();
+  result.motion.alpha_WB.setZero();
+  if (bentIsClear(shapes, pairs, kBand, h, result)) return result;
   stop(result.motion);
   result.duration = h;
   return result;
