@@ -1,7 +1,10 @@
 #include "yaml_reader.h"
 
+#include <yaml-cpp/eventhandler.h>
+
 #include <algorithm>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace ping_pong
@@ -13,6 +16,32 @@ constexpr int kMaxNesting = 100;
 int lineOf(const YAML::Mark& mark)
 {
   return std::max(mark.line, 0) + 1;
+}
+
+/// Reads a document and keeps nothing of it.
+class IgnoreEvents : public YAML::EventHandler
+{
+public:
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+/// Not LoadAll: on a stray comma it makes documents until memory ends (yaml-cpp 0.7).
+int documentsUpToTwo(const std::string& text)
+{
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  IgnoreEvents ignore;
+  int count = 0;
+  while (count < 2 && parser.HandleNextDocument(ignore)) ++count;
+  return count;
 }
 
 /// yaml-cpp before 0.7 follows nested brackets until the stack is full. Brackets in quotes and comments count too: the
@@ -191,10 +220,10 @@ Field readYaml(const std::string& path)
   checkNesting(text, path);
   try
   {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() != 1)
-      failLoad({path, 1}, "scene", std::to_string(documents.size()) + " documents", "one YAML document");
-    return {documents[0], {path, lineOf(documents[0].Mark())}, ""};
+    const int documents = documentsUpToTwo(text);
+    if (documents != 1) failLoad({path, 1}, "scene", std::to_string(documents) + " documents", "one YAML document");
+    const YAML::Node document = YAML::Load(text);
+    return {document, {path, lineOf(document.Mark())}, ""};
   }
   catch (const YAML::Exception& error)
   {

@@ -289,6 +289,7 @@ const BadScene kBadScenes[] = {
     {"not a map", kScene, "- 1", 1, "scene", "[1]", "a map with the keys name"},
     {"empty", kScene, "", 1, "scene", "0 documents", "one YAML document"},
     {"two documents", "dt: 0.002", "---\ndt: 0.002", 1, "scene", "2 documents", "one YAML document"},
+    {"a comma where a document should be", kScene, ", a", 1, "scene", "2 documents", "one YAML document"},  // endless in yaml-cpp 0.7
     {"deep nesting", "dt: 0.002", "dt: " + std::string(5000, '['), 31, "scene", "[", "at most 100 nested brackets"},
     {"alias without anchor", "dt: 0.002", "dt: *x", 31, "scene", "", ""},
     // types
