@@ -1,0 +1,32 @@
+# rostest: one behaviour per file. test/ros/NAME.test runs the gtest of test/ros/test_NAME.cpp beside a simulator.
+find_package(rostest REQUIRED)
+find_package(tf2_ros REQUIRED)
+
+# NAME is unique over all .test files: results are written under it.
+function(add_ros_test name)
+  set(target ${PROJECT_NAME}_test_ros_${name})
+  add_rostest_gtest(${target} test/ros/${name}.test test/ros/test_${name}.cpp)
+  target_include_directories(${target} SYSTEM PRIVATE ${tf2_ros_INCLUDE_DIRS})
+  target_link_libraries(${target} ${PROJECT_NAME}_ros ${PROJECT_NAME}_options ${tf2_ros_LIBRARIES})
+  target_compile_definitions(${target} PRIVATE
+    TEST_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/test/ros/data"
+    NODE="$<TARGET_FILE:${PROJECT_NAME}_node>")
+  add_dependencies(${target} ${PROJECT_NAME}_node)
+endfunction()
+
+foreach(name
+    clock
+    command
+    contacts
+    examples
+    flat_out
+    latency
+    parameters
+    real_time
+    refusals
+    scene_switching
+    services
+    stale_command
+)
+  add_ros_test(${name})
+endforeach()

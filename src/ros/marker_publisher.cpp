@@ -1,0 +1,98 @@
+#include "marker_publisher.h"
+
+#include "ball_markers.h"
+#include "body_markers.h"
+
+namespace ping_pong_sim
+{
+namespace
+{
+std::vector<ping_pong::BallId> ballIds(const ping_pong::World& world)
+{
+  std::vector<ping_pong::BallId> ids(world.ballCount());
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = world.ballId(i);
+  return ids;
+}
+}  // namespace
+
+MarkerPublisher::MarkerPublisher(ros::NodeHandle& nh, double rate, const Simulation& simulation, JobQueue& jobs)
+    : nh_(nh),
+      simulation_(simulation),
+      gate_(rate),
+      bodies_(nh.advertise<visualization_msgs::MarkerArray>("body_markers", 10, true)),
+      markers_(nh, "markers", 10, jobs,
+               [this](visualization_msgs::MarkerArray& message, bool newcomer)
+               {
+                 fill(message, newcomer);
+                 return true;
+               })
+{
+  publishBodies();
+}
+
+void MarkerPublisher::observeTick()
+{
+  trails_.observe(simulation_);
+  flashes_.observe(simulation_);
+}
+
+void MarkerPublisher::update(WallClock::time_point now)
+{
+  if (gate_.open(now)) publish();
+}
+
+void MarkerPublisher::publish()
+{
+  const ros::Time stamp = simulation_.clock().now();
+  if (stamp == last_stamp_) return;
+  last_stamp_ = stamp;
+  markers_.publish();
+}
+
+void MarkerPublisher::publishBodies()
+{
+  visualization_msgs::MarkerArray message;
+  message.markers.push_back(deleteAllMarkers());
+  const ping_pong::World& world = simulation_.world();
+  for (std::size_t i = 0; i < world.bodyCount(); ++i) appendBody(world.body(i), message.markers);
+  bodies_.publish(message);
+  setDescriptions();
+}
+
+void MarkerPublisher::forgetPast()
+{
+  trails_.clear();
+  flashes_.clear();
+  shown_.clear();  // colours and sizes may be others now, even if the ids are not
+}
+
+void MarkerPublisher::fill(visualization_msgs::MarkerArray& message, bool newcomer)
+{
+  message.markers.clear();
+  const ping_pong::World& world = simulation_.world();
+  const std::vector<ping_pong::BallId> ids = ballIds(world);
+  if (newcomer || shown_.empty() || ids != shown_)
+  {
+    message.markers.push_back(deleteAllMarkers());
+    if (!isCrowd(world)) appendSingleBalls(world, message.markers);
+  }
+  if (!newcomer) shown_ = ids;
+  if (isCrowd(world)) appendCrowd(world, simulation_.clock().now(), message.markers);
+  message.markers.push_back(trails_.marker(simulation_));
+  message.markers.push_back(flashes_.marker(simulation_));
+}
+
+// For RViz's RobotModel displays.
+void MarkerPublisher::setDescriptions()
+{
+  for (const std::string& name : descriptions_) nh_.deleteParam(name);
+  descriptions_.clear();
+  const ping_pong::World& world = simulation_.world();
+  for (std::size_t i = 0; i < world.bodyCount(); ++i)
+  {
+    if (world.body(i).urdf_path.empty()) continue;
+    descriptions_.push_back(world.body(i).name + "_description");
+    nh_.setParam(descriptions_.back(), readText(world.body(i).urdf_path));
+  }
+}
+}  // namespace ping_pong_sim

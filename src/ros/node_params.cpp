@@ -1,0 +1,98 @@
+#include "node_params.h"
+
+#include <ros/console.h>
+#include <ros/names.h>
+
+#include <cmath>
+
+#include "param_reader.h"
+#include "ping_pong_sim/scene_loader.h"
+
+namespace ping_pong_sim
+{
+namespace
+{
+bool isRate(double rate)
+{
+  return rate > 0.0 && rate <= 10000.0;
+}
+bool isFactor(double factor)
+{
+  return factor >= 0.0 && std::isfinite(factor);
+}
+bool isTimeout(double seconds)
+{
+  return seconds > 0.0;
+}
+bool isStep(double seconds)
+{
+  return seconds >= 0.0 && seconds <= 1.0;
+}
+
+void checkMethod(const ros::NodeHandle& nh, const std::string& method)
+{
+  if (method == kMethodOfScene) return;
+  try
+  {
+    ping_pong::methodFromName(method);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw ParamError("parameter " + nh.resolveName("method") + ": " + method + ": " + error.what() + ", or " +
+                     kMethodOfScene);
+  }
+}
+
+// Body names become frames and, for paddles, topics.
+void checkNames(const ping_pong::Scene& scene)
+{
+  for (const ping_pong::Body& body : scene.bodies)
+  {
+    std::string why;
+    if (ros::names::validate(body.name, why)) continue;
+    throw std::runtime_error(scene.path + ": body name: " + body.name + ": expected a ROS name: " + why);
+  }
+}
+}  // namespace
+
+NodeParams readParams(const ros::NodeHandle& private_nh)
+{
+  ParamReader reader(private_nh);
+  const std::string rate = "a rate above 0, up to 10000 [1/s]";
+  NodeParams p;
+  p.scene = reader.text("scene", p.scene);
+  p.scene_directory = reader.text("scene_directory", p.scene_directory);
+  p.real_time_factor = reader.number("real_time_factor", p.real_time_factor, isFactor, "a number >= 0 (0: flat out)");
+  p.publish_rate = reader.number("publish_rate", p.publish_rate, isRate, rate);
+  p.clock_rate = reader.number("clock_rate", p.clock_rate, isRate, rate);
+  p.marker_rate = reader.number("marker_rate", p.marker_rate, isRate, rate);
+  p.command_timeout =
+      reader.number("command_timeout", p.command_timeout, isTimeout, "a time above 0 [s] (.inf: never)");
+  p.paused = reader.flag("paused", p.paused);
+  p.rewind_clock = reader.flag("rewind_clock", p.rewind_clock);
+  p.method = reader.text("method", p.method);
+  p.dt = reader.number("dt", p.dt, isStep, "a step from 0 (the scene's own) to 1 [s]");
+  checkMethod(private_nh, p.method);
+  if (p.scene.empty())
+  {
+    throw ParamError("parameter " + private_nh.resolveName("scene") + ": empty: expected a scene file or name");
+  }
+  for (const std::string& name : reader.unread()) ROS_WARN_STREAM("parameter " << name << " is not known; ignored");
+  return p;
+}
+
+std::string scenePath(const NodeParams& params, const std::string& scene)
+{
+  const bool is_path = scene.find('/') != std::string::npos || scene.find(".yaml") != std::string::npos;
+  return is_path || params.scene_directory.empty() ? scene : params.scene_directory + "/" + scene + ".yaml";
+}
+
+ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene_name)
+{
+  ping_pong::Scene scene = ping_pong::loadScene(scenePath(params, scene_name));
+  if (params.method != kMethodOfScene) scene.method = ping_pong::methodFromName(params.method);
+  if (params.dt > 0.0) scene.dt = params.dt;
+  checkNames(scene);
+  return scene;
+}
+}  // namespace ping_pong_sim

@@ -1,0 +1,39 @@
+// Parameters of the node. Physics belongs to the scene file; config/node.yaml documents what is left.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "ping_pong_sim/scene.h"
+
+namespace ping_pong_sim
+{
+constexpr char kMethodOfScene[] = "scene";  ///< value of ~method that leaves the choice to the scene
+
+struct NodeParams
+{
+  std::string scene;              ///< path, or name in scene_directory
+  std::string scene_directory;    ///< where scenes are looked up by name
+  double real_time_factor = 1.0;  ///< simulated per wall second, >= 0; 0: as fast as possible
+  double publish_rate = 100.0;    ///< ticks per simulated second [1/s]
+  double clock_rate = 100.0;      ///< of /clock, per wall second, at most [1/s]
+  double marker_rate = 30.0;      ///< of `markers`, per wall second, at most [1/s]
+  double command_timeout = 0.5;   ///< in simulated time [s]
+  bool paused = false;            ///< at the start
+  bool rewind_clock = false;      ///< ~reset also sets the clock back
+  std::string method = kMethodOfScene;
+  double dt = 0.0;  ///< [s]; 0: the scene's
+
+  double tick() const { return 1.0 / publish_rate; }  ///< [s]
+};
+
+/// Throws ParamError; warns about private parameters that nobody reads.
+NodeParams readParams(const ros::NodeHandle& private_nh);
+
+/// The file that `scene` means: itself if it looks like a path, else a name in the scene directory.
+std::string scenePath(const NodeParams& params, const std::string& scene);
+
+/// Loads a scene, applies ~method and ~dt, and checks that its names can be ROS names. Throws std::runtime_error.
+ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene);
+}  // namespace ping_pong_sim

@@ -1,0 +1,40 @@
+// From mailbox to world: what a paddle obeys now, and for how long.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "command_mailbox.h"
+
+namespace ping_pong_sim
+{
+class PaddleControl
+{
+public:
+  /// @param body     index in the world
+  /// @param timeout  simulated time after which a paddle without commands holds still [s]
+  PaddleControl(ros::NodeHandle& nh, const ping_pong::World& world, std::size_t body, CommandMailbox::FrameNames frames,
+                double timeout, Rejections& rejections);
+
+  /// Before each tick. @param now  simulated time that only grows [s]
+  void update(ping_pong::World& world, double now);
+  /// Forgets its command and holds still: after a jump or a reset.
+  void release(ping_pong::World& world);
+
+  std::size_t body() const { return body_; }
+  ping_pong::PaddleCommand::Mode mode() const;
+  double commandAge(double now) const;  ///< [s]; -1: none since start or release
+
+private:
+  void obey(ping_pong::World& world, const Order& order, double now);
+  void send(ping_pong::World& world, const Order& order);
+
+  std::size_t body_;
+  std::string name_;
+  double timeout_;  ///< [s]
+  Rejections& rejections_;
+  std::optional<Order> active_;
+  std::optional<double> obeyed_at_;  ///< [s]
+  CommandMailbox mailbox_;
+};
+}  // namespace ping_pong_sim

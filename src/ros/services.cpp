@@ -1,0 +1,169 @@
+#include "services.h"
+
+#include "ping_pong_sim/constants.h"
+
+namespace ping_pong_sim
+{
+namespace
+{
+void throwIf(const ping_pong::Refusal& refusal)
+{
+  if (refusal) throw InputError(refusal.reason);
+}
+
+ping_pong::MaterialId materialNamed(const ping_pong::Scene& scene, const std::string& wanted)
+{
+  const std::string name = wanted.empty() ? "ball" : wanted;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+  {
+    if (scene.materials[i] == name) return static_cast<ping_pong::MaterialId>(i);
+  }
+  if (wanted.empty()) return scene.balls.empty() ? 0 : scene.balls.front().params.material;
+  throw InputError("material: " + wanted + ": expected one that the scene knows");
+}
+
+double orDefault(double value, double fallback, const std::string& field)
+{
+  return checkedNumber(value, field) == 0.0 ? fallback : value;
+}
+
+ping_pong::BallParams paramsOf(const ping_pong::Scene& scene, const SpawnBall::Request& request)
+{
+  ping_pong::BallParams params;
+  params.radius = orDefault(request.radius, ping_pong::kBallRadius, "radius");
+  params.mass = orDefault(request.mass, ping_pong::kBallMass, "mass");
+  if (params.radius <= 0.0) throw InputError("radius: " + std::to_string(request.radius) + ": expected above 0 [m]");
+  if (params.mass <= 0.0) throw InputError("mass: " + std::to_string(request.mass) + ": expected above 0 [kg]");
+  params.color = fromColor(request.color);
+  params.material = materialNamed(scene, request.material);
+  return params;
+}
+
+ping_pong::BallState stateOf(const ping_pong::Pose& X_WF, const ping_pong::Pose& pose, const ping_pong::Twist& twist)
+{
+  const ping_pong::Pose X_WB = poseInWorld(X_WF, pose);
+  const ping_pong::Twist twist_W = twistInWorld(X_WF, twist);
+  return {X_WB.p, X_WB.q, twist_W.v, twist_W.w};
+}
+}  // namespace
+
+Services::Services(ros::NodeHandle& nh, SimNode& node) : node_(node)
+{
+  offer<std_srvs::SetBool>(nh, "pause", [this](auto& request, auto&) { node_.setPaused(request.data); });
+  offer<std_srvs::Trigger>(nh, "reset", [this](auto&, auto&) { node_.reset(); });
+  offer<Step>(nh, "step", [this](auto& request, auto& response) { node_.step(request.duration, response); });
+  offer<SpawnBall>(nh, "spawn_ball", [this](auto& request, auto& response) { spawnBall(request, response); });
+  offer<DeleteBall>(nh, "delete_ball", [this](auto& request, auto&) { deleteBall(request); });
+  offer<SetBallState>(nh, "set_ball_state", [this](auto& request, auto&) { setBallState(request); });
+  offer<SetBodyPose>(nh, "set_body_pose", [this](auto& request, auto&) { setBodyPose(request); });
+  offerLoadScene(nh);
+}
+
+template <class Service>
+void Services::offer(ros::NodeHandle& nh, const std::string& name,
+                     std::function<void(typename Service::Request&, typename Service::Response&)> action)
+{
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  const boost::function<bool(Request&, Response&)> callback = [=](Request& request, Response& response)
+  {
+    response.message = "shutting down";
+    node_.jobs().run(
+        [&]
+        {
+          try
+          {
+            response.message.clear();
+            action(request, response);
+            response.success = true;
+          }
+          catch (const std::exception& error)
+          {
+            response.success = false;
+            response.message = error.what();
+            node_.rejections().add("~" + name, error.what());
+          }
+        });
+    return true;
+  };
+  servers_.push_back(nh.advertiseService(name, callback));
+}
+
+void Services::spawnBall(const SpawnBall::Request& request, SpawnBall::Response& response)
+{
+  ping_pong::World& world = node_.simulation().world();
+  ping_pong::Pose pose;
+  pose.p = fromPoint(request.position, "position");
+  const ping_pong::Twist twist{fromVector(request.velocity, "velocity"), fromVector(request.spin, "spin")};
+  const ping_pong::BallState state = stateOf(framePose(world, request.frame_id), pose, twist);
+  ping_pong::BallId id = 0;
+  throwIf(world.spawnBall(paramsOf(world.scene(), request), state, &id));
+  response.id = id;
+  node_.showJump();
+}
+
+void Services::deleteBall(const DeleteBall::Request& request)
+{
+  throwIf(node_.simulation().world().deleteBall(request.id));
+  node_.showJump();
+}
+
+void Services::setBallState(const SetBallState::Request& request)
+{
+  ping_pong::World& world = node_.simulation().world();
+  const ping_pong::Pose X_WF = framePose(world, request.frame_id);
+  const ping_pong::BallState state = stateOf(X_WF, fromPose(request.pose, "pose"), fromTwist(request.twist, "twist"));
+  throwIf(world.setBallState(request.id, state));
+  node_.forgetTrail(request.id);
+  node_.showJump();
+}
+
+void Services::setBodyPose(const SetBodyPose::Request& request)
+{
+  ping_pong::World& world = node_.simulation().world();
+  const std::size_t body = world.findBody(request.body);
+  if (body == ping_pong::kNone) throw InputError("body: " + request.body + ": expected the name of a body");
+  const ping_pong::Pose X_WF = framePose(world, request.frame_id);
+  throwIf(world.setBodyPose(body, poseInWorld(X_WF, fromPose(request.pose, "pose"))));
+  node_.simulation().releasePaddle(body);
+  node_.showJump(true);
+}
+
+// Reads and checks the file in the service's own thread: a running simulation does not wait for the disk.
+void Services::offerLoadScene(ros::NodeHandle& nh)
+{
+  using Request = LoadScene::Request;
+  using Response = LoadScene::Response;
+  const boost::function<bool(Request&, Response&)> callback = [this](Request& request, Response& response)
+  {
+    try
+    {
+      const ping_pong::Scene scene = loadSceneFor(node_.params(), request.scene);
+      std::string failure = "shutting down";
+      node_.jobs().run(
+          [&]
+          {
+            try
+            {
+              node_.load(scene);
+              failure.clear();
+            }
+            catch (const std::exception& error)
+            {
+              failure = error.what();
+            }
+          });
+      if (!failure.empty()) throw InputError(failure);
+      response.success = true;
+    }
+    catch (const std::exception& error)
+    {
+      response.success = false;
+      response.message = error.what();
+      node_.rejections().add("~load_scene", error.what());
+    }
+    return true;
+  };
+  servers_.push_back(nh.advertiseService("load_scene", callback));
+}
+}  // namespace ping_pong_sim

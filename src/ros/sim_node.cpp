@@ -1,0 +1,201 @@
+#include "sim_node.h"
+
+#include <ros/console.h>
+#include <rosgraph_msgs/Clock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "services.h"
+
+namespace ping_pong_sim
+{
+namespace
+{
+constexpr double kLongestStep = 3600.0;  ///< [s], of ~step
+constexpr double kClockStart = 1.0;      ///< first /clock [s]; not zero, which ROS takes for "no time yet"
+constexpr auto kIdlePeriod = std::chrono::milliseconds(50);  ///< between looks at other duties while nothing moves
+
+// Without /clock the rest of the system runs on wall time, so stamps begin there.
+ros::Time firstStamp(bool use_sim_time)
+{
+  return use_sim_time ? ros::Time(kClockStart) : ros::Time::now();
+}
+
+ros::NodeHandle onQueue(ros::NodeHandle nh, ros::CallbackQueue& queue)
+{
+  nh.setCallbackQueue(&queue);
+  return nh;
+}
+}  // namespace
+
+SimNode::SimNode()
+    : command_nh_(onQueue(nh_, command_queue_)),
+      params_(readParams(private_nh_)),
+      use_sim_time_(ros::Time::isSimTime()),
+      paused_(params_.paused),
+      simulation_(params_, loadSceneFor(params_, params_.scene), command_nh_, rejections_, firstStamp(use_sim_time_)),
+      states_(nh_, simulation_, paused_, jobs_),
+      markers_(nh_, params_.marker_rate, simulation_, jobs_),
+      status_(nh_, params_, simulation_, rejections_, paused_),
+      pacer_(params_.real_time_factor > 0.0 ? params_.tick() / params_.real_time_factor : 0.0),
+      state_gate_(params_.publish_rate),
+      clock_gate_(params_.clock_rate),
+      services_(std::make_unique<Services>(private_nh_, *this))
+{
+  if (use_sim_time_)
+    clock_ = nh_.advertise<rosgraph_msgs::Clock>("/clock", 10, true);
+  else if (params_.real_time_factor != 1.0)
+    ROS_WARN("real_time_factor is not 1 and /use_sim_time is not set: stamps will leave wall time");
+  ROS_INFO_STREAM("scene " << simulation_.world().scene().name << ", method "
+                           << ping_pong::name(simulation_.world().scene().method) << (paused_ ? ", paused" : ""));
+}
+
+SimNode::~SimNode()
+{
+  jobs_.close();
+  service_spinner_.stop();
+  command_spinner_.stop();
+}
+
+void SimNode::run()
+{
+  service_spinner_.start();
+  command_spinner_.start();
+  showJump(true);
+  pacer_.restart(WallClock::now());
+  while (ros::ok())
+  {
+    if (paused_)
+      runPaused();
+    else
+      runTick();
+  }
+  jobs_.close();
+}
+
+void SimNode::runPaused()
+{
+  jobs_.serveUntil(WallClock::now() + kIdlePeriod);
+  status_.update(WallClock::now());
+}
+
+void SimNode::runTick()
+{
+  simulation_.tick();
+  const WallClock::time_point now = WallClock::now();
+  // Up to real time every tick is told; beyond, as many per wall second as there would be in real time.
+  const bool each = params_.real_time_factor > 0.0 && params_.real_time_factor <= 1.0;
+  afterTick(state_gate_.open(now) || each);
+  if (clock_gate_.open(now)) publishClock();
+
+  if (params_.real_time_factor == 0.0)
+  {
+    jobs_.serve();
+    return;
+  }
+  waitUntil(pacer_.next(now));
+}
+
+void SimNode::waitUntil(WallClock::time_point deadline)
+{
+  jobs_.serve();  // also when late
+  while (ros::ok() && !paused_ && WallClock::now() < deadline)
+  {
+    jobs_.serveUntil(std::min(deadline, WallClock::now() + kIdlePeriod));
+    status_.update(WallClock::now());
+  }
+}
+
+void SimNode::afterTick(bool publish_state)
+{
+  const WallClock::time_point now = WallClock::now();
+  states_.publishContacts();
+  if (publish_state) states_.publish();
+  markers_.observeTick();
+  markers_.update(now);
+  status_.update(now);
+}
+
+void SimNode::publishClock()
+{
+  if (!use_sim_time_) return;
+  rosgraph_msgs::Clock message;
+  message.clock = simulation_.clock().now();
+  clock_.publish(message);
+}
+
+void SimNode::setPaused(bool paused)
+{
+  if (paused == paused_) return;
+  paused_ = paused;
+  if (!paused)
+  {
+    // Without /clock the others' time went on meanwhile.
+    if (!use_sim_time_) simulation_.clock().catchUp(ros::Time::now());
+    pacer_.restart(WallClock::now());
+  }
+  states_.publish();
+  markers_.publish();
+  publishClock();
+  status_.publish(WallClock::now());
+}
+
+void SimNode::reset()
+{
+  simulation_.reset();
+  markers_.forgetPast();
+  showJump(true);
+}
+
+void SimNode::step(double duration, Step::Response& response)
+{
+  if (!paused_) throw InputError("the simulation is running: expected ~pause first");
+  if (!(duration > 0.0 && duration <= kLongestStep))
+  {
+    throw InputError("duration: " + std::to_string(duration) + ": expected above 0, up to 3600 [s]");
+  }
+  const double tick = params_.tick();
+  // A remainder below a nanosecond is rounding: stamps cannot show it.
+  const auto ticks = static_cast<long>(std::floor(duration / tick + 1e-9));
+  const double rest = duration - static_cast<double>(ticks) * tick;
+  for (long i = 0; i <= ticks && ros::ok(); ++i)
+  {
+    if (i < ticks)
+      simulation_.tick();
+    else if (rest > 1e-9)
+      simulation_.partialTick(rest);
+    else
+      break;
+    for (const ping_pong::Contact& contact : simulation_.world().contacts())
+    {
+      response.contacts.push_back(toContact(simulation_, contact));
+    }
+    afterTick(true);
+  }
+  markers_.publish();
+  publishClock();
+  response.time = simulation_.world().time();
+  fillBalls(simulation_, response.balls);
+  fillPaddles(simulation_, response.paddles);
+}
+
+void SimNode::load(const ping_pong::Scene& scene)
+{
+  simulation_.load(scene);
+  markers_.forgetPast();
+  markers_.publishBodies();
+  showJump(true);
+  ROS_INFO_STREAM("scene " << scene.name << ", method " << ping_pong::name(scene.method));
+}
+
+void SimNode::showJump(bool bodies_too)
+{
+  simulation_.clock().addJump();
+  if (bodies_too) states_.publishStaticFrames();
+  states_.publish();
+  markers_.publish();
+  publishClock();
+  status_.publish(WallClock::now());
+}
+}  // namespace ping_pong_sim

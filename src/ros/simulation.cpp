@@ -1,0 +1,86 @@
+#include "simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace ping_pong_sim
+{
+namespace
+{
+std::string warningOf(const ping_pong::StepStatus& status)
+{
+  if (status.not_finite) return "a ball's motion became infinite; it keeps its last finite state";
+  if (status.event_limit) return "too many events in one tick; the rest of it was flown without contacts";
+  if (status.squeezed > 0) return std::to_string(status.squeezed) + " ball(s) squeezed with no room left";
+  return "";
+}
+}  // namespace
+
+Simulation::Simulation(const NodeParams& params, const ping_pong::Scene& scene, ros::NodeHandle& command_nh,
+                       Rejections& rejections, const ros::Time& start)
+    : params_(params), command_nh_(command_nh), rejections_(rejections), clock_(start, params.tick())
+{
+  load(scene);
+}
+
+void Simulation::reset()
+{
+  world_->reset();
+  counters_ = {};
+  for (const auto& paddle : paddles_) paddle->release(*world_);
+  if (params_.rewind_clock) clock_.rewind();
+}
+
+void Simulation::tick()
+{
+  advance(params_.tick());
+  clock_.addTick();
+}
+
+void Simulation::partialTick(double duration)
+{
+  advance(duration);
+  clock_.add(duration);
+}
+
+void Simulation::releasePaddle(std::size_t body)
+{
+  for (const auto& paddle : paddles_)
+  {
+    if (paddle->body() == body) paddle->release(*world_);
+  }
+}
+
+ros::Time Simulation::stampOf(const ping_pong::Contact& contact) const
+{
+  const double before_now = std::clamp(world_->time() - contact.time, 0.0, params_.tick());
+  return clock_.now() - ros::Duration(before_now);
+}
+
+void Simulation::load(const ping_pong::Scene& scene)
+{
+  world_ = std::make_unique<ping_pong::World>(scene);  // throws before anything else is changed
+  counters_ = {};
+  paddles_.clear();
+  const auto frames = std::make_shared<std::set<std::string>>();
+  for (std::size_t i = 0; i < world_->bodyCount(); ++i) frames->insert(world_->body(i).name);
+  for (std::size_t i = 0; i < world_->bodyCount(); ++i)
+  {
+    if (world_->body(i).kind != ping_pong::BodyKind::Kinematic) continue;
+    paddles_.push_back(
+        std::make_unique<PaddleControl>(command_nh_, *world_, i, frames, params_.command_timeout, rejections_));
+  }
+}
+
+void Simulation::advance(double duration)
+{
+  for (const auto& paddle : paddles_) paddle->update(*world_, elapsed_);
+  counters_.last = world_->advance(duration);
+  elapsed_ += duration;
+  counters_.contacts += world_->contacts().size();
+  if (counters_.last.ok()) return;
+  ++counters_.step_warnings;
+  counters_.step_warning = warningOf(counters_.last);
+}
+}  // namespace ping_pong_sim

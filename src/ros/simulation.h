@@ -1,0 +1,69 @@
+// The world with what belongs to running it under ROS: clock, paddle commands, counters. Owned by the simulation loop.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "node_params.h"
+#include "paddle_control.h"
+#include "ping_pong_sim/world.h"
+#include "rejections.h"
+#include "sim_clock.h"
+
+namespace ping_pong_sim
+{
+/// Since start or last reset, if not said otherwise.
+struct Counters
+{
+  std::uint64_t contacts = 0;
+  std::uint64_t step_warnings = 0;  ///< ticks that did not go well
+  std::string step_warning;         ///< the last of them
+  ping_pong::StepStatus last;       ///< of the last tick
+};
+
+class Simulation
+{
+public:
+  /// @param command_nh  its callback queue is served by the thread of commands
+  Simulation(const NodeParams& params, const ping_pong::Scene& scene, ros::NodeHandle& command_nh,
+             Rejections& rejections, const ros::Time& start);
+
+  /// Replaces the world; if that throws, nothing was changed.
+  void load(const ping_pong::Scene& scene);
+  /// Back to the start of the scene. Commands are forgotten.
+  void reset();
+  /// One full tick.
+  void tick();
+  /// A shorter one [s].
+  void partialTick(double duration);
+
+  ping_pong::World& world() { return *world_; }
+  const ping_pong::World& world() const { return *world_; }
+  SimClock& clock() { return clock_; }
+  const SimClock& clock() const { return clock_; }
+  const std::vector<std::unique_ptr<PaddleControl>>& paddles() const { return paddles_; }
+  const Counters& counters() const { return counters_; }
+  /// Simulated time since the node started; never goes back [s].
+  double elapsed() const { return elapsed_; }
+  /// The paddle's command is forgotten, if the body is a paddle.
+  void releasePaddle(std::size_t body);
+  /// The instant of a contact of the last tick.
+  ros::Time stampOf(const ping_pong::Contact& contact) const;
+
+private:
+  void advance(double duration);
+
+  NodeParams params_;
+  ros::NodeHandle& command_nh_;
+  Rejections& rejections_;
+  SimClock clock_;
+  std::unique_ptr<ping_pong::World> world_;
+  std::vector<std::unique_ptr<PaddleControl>> paddles_;
+  Counters counters_;
+  double elapsed_ = 0.0;
+};
+}  // namespace ping_pong_sim

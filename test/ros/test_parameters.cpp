@@ -1,0 +1,83 @@
+// A bad parameter or scene: one clear line that names it, its value and what was expected, and an exit code that is not
+// 0.
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+
+#include "sim_client.h"
+
+namespace
+{
+struct Ending
+{
+  int code;
+  std::string text;
+};
+
+/// Runs the node until it ends by itself, or for three seconds, and then asks it to (SIGTERM).
+Ending run(const std::string& arguments)
+{
+  const std::string command =
+      "timeout --preserve-status -s TERM 3 " + std::string(NODE) + " __name:=refused " + arguments + " 2>&1";
+  Ending ending{-1, ""};
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return ending;
+  std::array<char, 512> buffer;
+  while (fgets(buffer.data(), buffer.size(), pipe) != nullptr) ending.text += buffer.data();
+  ending.code = WEXITSTATUS(pclose(pipe));
+  ros::param::del("/refused");
+  return ending;
+}
+
+void expectRefused(const std::string& arguments, const std::vector<std::string>& words)
+{
+  const Ending ending = run(arguments);
+  EXPECT_EQ(ending.code, 1) << ending.text;
+  for (const std::string& word : words) EXPECT_NE(ending.text.find(word), std::string::npos) << ending.text;
+}
+
+const std::string kScene = "_scene:=" + std::string(TEST_SCENES) + "/bench.yaml";
+}  // namespace
+
+TEST(Parameters, NegativeRate)
+{
+  expectRefused(kScene + " _publish_rate:=-5", {"/refused/publish_rate", "-5", "above 0"});
+}
+
+TEST(Parameters, FactorThatIsAText)
+{
+  expectRefused(kScene + " _real_time_factor:=fast", {"/refused/real_time_factor", "fast", "a number"});
+}
+
+TEST(Parameters, UnknownMethod)
+{
+  expectRefused(kScene + " _method:=magic", {"/refused/method", "magic", "exact"});
+}
+
+TEST(Parameters, NoScene)
+{
+  expectRefused("", {"/refused/scene", "expected"});
+}
+
+TEST(Parameters, MissingSceneFile)
+{
+  expectRefused("_scene:=/no/such.yaml", {"/no/such.yaml"});
+}
+
+TEST(Parameters, BrokenScene)
+{
+  expectRefused("_scene:=broken _scene_directory:=" + std::string(TEST_SCENES), {"broken.yaml", "mass", "-1"});
+}
+
+TEST(Parameters, UnknownOneIsWarnedAboutAndSigtermIsACleanEnd)
+{
+  const Ending ending = run(kScene + " _publish_rat:=50");
+  EXPECT_EQ(ending.code, 0) << ending.text;
+  EXPECT_NE(ending.text.find("/refused/publish_rat is not known"), std::string::npos) << ending.text;
+}
+
+int main(int argc, char** argv)
+{
+  return sim_test::runTests(argc, argv, "test_parameters");
+}
