@@ -36,6 +36,20 @@ foreach(name
     simulate
     paddle_drive
     paddle_blocking
+    flight
+    bouncing
+    large_numbers
+    tunnelling
+    million_hits
+    many_balls
+    cradle
+    corner
+    same_bits
+    edges
+    grazing
+    resting
+    over_the_edge
+    squeeze
 )
   add_core_test(${name})
 endforeach()

@@ -1,9 +1,9 @@
 // Detect: the earliest contact inside a motion.
 //
-// The gap between a ball and a convex shape is a convex function of the ball's position in the shape's frame, so along a
-// path y(s) its second derivative is at least -|y''|. From gap f and rate f' at one instant, with a bound M on |y''|, no
-// contact can happen before the root of f + f' d - M d^2 / 2 = 0: step there and look again. The steps never jump over a
-// contact, converge quadratically on it, and are exact at once for a parabola above a horizontal plane.
+// The gap between a ball and a convex shape is a convex function of the ball's position in the shape's frame: along a path
+// y(s) it stays above f + f' d + c d^2 / 2, where f, f' and the normal n belong to one instant and c is a lower bound of n.y''
+// from then on. So no contact can happen before the root of that parabola: step there and look again. The steps never jump
+// over a contact, converge quadratically on it, and are exact at once for a parabola above a face of a still body.
 #pragma once
 
 #include <vector>

@@ -6,15 +6,18 @@
 
 namespace ping_pong
 {
-/// Acceleration of a free ball from the scene's forces [m/s^2], in W. The room for a new force.
-Vector3d freeAcceleration(const Forces& forces);
+/// Closed-form flight under a constant acceleration from `state` at time `start`: p0 + v0 s + a s^2 / 2.
+Segment flyParabola(const BallState& state, double start, const Vector3d& a);
 
-/// Closed-form flight in vacuum from `state` at time `start`: p0 + v0 s + g s^2 / 2.
-Segment fly(const BallState& state, double start, const Forces& forces);
+/// Flight under the model's forces: a parabola if its acceleration is constant; else one polynomial piece by collocation at
+/// Gauss-Legendre points (Hairer, Norsett, Wanner, "Solving ODEs I", II.7), as long as its error allows.
+/// @param tolerance  error of the position that the piece may leave after a second [m]
+/// @param step       in: length to try, 0 if unknown; out: length that will do next time [s]
+Segment fly(const BallState& state, double start, const FlightModel& model, double tolerance, double& step);
 
 /// One fixed step of the sampled methods. Explicit: x += v h, v += a h. Semi-implicit: v += a h, x += v h.
-void stepExplicit(BallState& state, const Forces& forces, double h);
-void stepSemiImplicit(BallState& state, const Forces& forces, double h);
+void stepExplicit(BallState& state, const FlightModel& model, double h);
+void stepSemiImplicit(BallState& state, const FlightModel& model, double h);
 
 /// Orientation after turning with constant spin w (in W) for s [s].
 Quaterniond turned(const Quaterniond& q, const Vector3d& w, double s);

@@ -5,14 +5,21 @@
 
 namespace ping_pong
 {
-/// Velocity of a ball after a smooth impact on an infinitely heavy surface.
-/// v' = v - (1 + e) (n.(v - u)) n, that is v'_n - u_n = -e (v_n - u_n); unchanged if it moves away.
+/// Impact of a ball on an infinitely heavy surface. With the slip u = v + w x (-r n) - u_WC of the touching point,
+///   J_n = -(1 + e(u_n)) m u_n,
+///   J_t = -(1 + e_t) m k/(1 + k) u_t, grip; at most mu J_n, slide (Garwin 1969; Nakashima et al. 2010),
+///   v' = v + (J_n n + J_t)/m, w' = w - r n x J_t / (k m r^2).
+/// Unchanged if the ball moves away.
 /// @param u_WC  velocity of the touched point of the surface [m/s]
 /// @param n_W   unit normal, from the surface to the ball
-Vector3d bounce(const Surface& law, const Vector3d& v_WB, const Vector3d& u_WC, const Vector3d& n_W);
+/// @return      impulse on the ball [N s]
+Vector3d bounce(const Surface& law, const BallParams& ball, BallState& state, const Vector3d& u_WC,
+                const Vector3d& n_W);
 
-/// Impulse on ball 1 [N s] in a smooth impact of two balls: m12 (1 + e) (closing speed) along n, m12 = m1 m2 / (m1 + m2).
+/// Impact of two balls: the same with m12 = m1 m2/(m1 + m2) for the normal, and 1 / sum((1 + 1/k_i)/m_i) for the slip.
 /// @param n_W  unit normal, from ball 2 to ball 1
-Vector3d impulseBetween(const Surface& law, double m1, const Vector3d& v1, double m2, const Vector3d& v2,
-                        const Vector3d& n_W);
+/// @param speed  normal speed of separation after it, by the law e times the closing speed [m/s]
+/// @return     impulse on ball 1 [N s]
+Vector3d part(const Surface& law, double speed, const BallParams& ball1, BallState& state1,
+              const BallParams& ball2, BallState& state2, const Vector3d& n_W);
 }  // namespace ping_pong

@@ -6,6 +6,7 @@
 
 #include "ping_pong_sim/ball.h"
 #include "ping_pong_sim/body.h"
+#include "ping_pong_sim/forces.h"
 
 namespace ping_pong
 {
@@ -17,15 +18,21 @@ enum class Method
   Exact               ///< closed-form flight, contacts located and handled event by event
 };
 
-struct Forces
-{
-  Vector3d gravity = Vector3d::Zero();  ///< expressed in W [m/s^2]; zero if the scene does not list it
-};
-
-/// What happens when two materials meet.
+/// What happens when two materials meet. What a scene does not name stays at the default and is not computed.
 struct Surface
 {
-  double restitution = 1.0;  ///< e: normal speed after / before, 0 to 1
+  double restitution = 1.0;             ///< e at vanishing speed: normal speed after / before, 0 to 1
+  double restitution_slope = 0.0;       ///< e falls by this per normal speed, never below 0 [s/m]
+  double friction = 0.0;                ///< Coulomb mu; 0: smooth; infinity: always grips
+  double tangential_restitution = 0.0;  ///< e_t of a gripping contact, -1 to 1: slip after / before, reversed
+  double rolling_resistance = 0.0;      ///< deceleration of a rolling ball / (load / m)
+  double spin_friction = 0.0;           ///< torque against spin about the normal / (r load)
+
+  double restitutionAt(double closing_speed) const
+  {
+    const double e = restitution - restitution_slope * closing_speed;
+    return e > 0.0 ? e : 0.0;
+  }
 };
 
 /// Contact law of each pair of materials, looked up by index.
@@ -62,7 +69,8 @@ struct Scene
   std::vector<Body> bodies;  ///< the floor, if any, is the static body "floor" with one HalfSpace
   std::vector<SceneBall> balls;
   Method method = Method::Exact;
-  double dt = 1e-3;  ///< longest step of the fixed-step methods [s]
+  double dt = 1e-3;         ///< longest step of the fixed-step methods [s]
+  double tolerance = 1e-6;  ///< of `exact` where the path has no closed form: position error over a rally of about a second [m]
 };
 
 const char* name(Method method);

@@ -19,7 +19,7 @@ struct AccelerationBound
 /// Surfaces that a ball lies on.
 struct Supports
 {
-  static constexpr std::size_t kMax = 6;
+  static constexpr std::size_t kMax = 8;
   struct Surface
   {
     std::size_t body = kNone;
@@ -39,7 +39,8 @@ struct Supports
 struct AccelerationBounds
 {
   std::array<AccelerationBound, Supports::kMax> list;
-  std::array<bool, Supports::kMax> loaded{};  ///< answer: this surface carries the ball
+  std::array<bool, Supports::kMax> loaded{};  ///< answer: the ball cannot leave this surface
+  std::array<double, Supports::kMax> load{};  ///< answer: force per mass along n [m/s^2]
   std::size_t count = 0;
 };
 

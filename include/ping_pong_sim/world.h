@@ -26,7 +26,7 @@ struct StepStatus
 struct Totals
 {
   double kinetic = 0.0;                          ///< translation [J]
-  double rotational = 0.0;                       ///< spin, thin shell I = 2/3 m r^2 [J]
+  double rotational = 0.0;                       ///< spin, I = k m r^2 [J]
   double potential = 0.0;                        ///< -m g.p [J]
   Vector3d momentum = Vector3d::Zero();          ///< [kg m/s]
   double energy() const { return kinetic + rotational + potential; }
@@ -47,7 +47,7 @@ public:
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  /// Moves everything on by `duration` >= 0 [s]. One call is one tick: paddles follow their commands with one smooth motion
+  /// Moves everything on by `duration` [s]; nothing happens if it is not finite and > 0. One call is one tick: paddles follow their commands with one smooth motion
   /// per tick (cut into pieces where they meet a body), balls fly, collide, rest.
   StepStatus advance(double duration);
 
@@ -61,7 +61,7 @@ public:
   const BallParams& ballParams(std::size_t index) const;
   BallState ballState(std::size_t index) const;         ///< at time()
   bool resting(std::size_t index) const;                ///< lies still on something, exactly
-  double restingSince(std::size_t index) const;         ///< world time at which its bounces ended [s]; NaN while it flies
+  double restingSince(std::size_t index) const;         ///< world time at which it stopped bouncing, lying or rolling [s]; NaN while it flies
 
   std::size_t bodyCount() const;
   std::size_t findBody(const std::string& name) const;  ///< index, or kNone

@@ -16,7 +16,6 @@ constexpr double kKeepGap = 0.25 * kBand;  // [m]
 constexpr double kPushOutTime = 0.02;   // [s]
 constexpr double kPushOutSpeed = 1.0;   // [m/s]
 constexpr double kSlowest = 1e-12;      // closing slower than this is none [m/s]
-constexpr double kLeastSlack = 1e-8;    // an overlap may grow by this while it is undone [m]
 constexpr double kShortest = 1e-5;      // a motion cut shorter than this stops instead [s]
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr int kMaxLooks = 64;
@@ -105,7 +104,7 @@ bool bendAwayFromAll(const std::vector<Pair>& pairs, double band, double h, Body
 double safeFor(const Separation& at, const BodyMotion& motion, double s, double h,
                const SpeedBound& bound)
 {
-  const double slack = at.gap > kBand ? at.gap - 0.5 * kBand : std::max(0.5 * at.gap, kLeastSlack);
+  const double slack = at.gap > kBand ? at.gap - 0.5 * kBand : std::max(0.5 * at.gap, 0.0);
   const double closing = -at.n_W.dot(motion.twist.v + s * motion.a_WB);
   const double closing_later = closing - (h - s) * at.n_W.dot(motion.a_WB);
   const double speed = std::max({closing, closing_later, 0.0}) + bound.rotation();
@@ -126,7 +125,7 @@ double clearUntil(const std::vector<Shape>& shapes, const BodyMotion& motion, do
       const Separation at = separation(*pair.mine, now, *pair.other, pair.X_WO);
       step = std::min(step, safeFor(at, motion, s, h, bound));
     }
-    if (s > 0.0 && step < kShortest && step < h - s) return s;
+    if (step < kShortest && step < h - s) return s;
     s += step;
   }
   return std::min(s, h);

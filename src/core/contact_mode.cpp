@@ -2,29 +2,22 @@
 
 #include <cmath>
 
+#include "held_motion.h"
+
 namespace ping_pong
 {
 namespace
 {
 constexpr double kLift = 1e-12;          // height of bounces that no longer count [m]
-constexpr double kNoHopSpeed = 1e-9;     // hops below 1e-19 m under gravity, even where e = 1 [m/s]
-constexpr double kKeepSpeed = 1e-6;      // a support is left by moving away faster than this [m/s]
-constexpr double kKeepGap = 1e-6;        // or from further than this [m]
+constexpr double kLiftInTolerances = 32.0;  // or this many touch tolerances, far from the origin
+constexpr double kNoHopSpeed = 1e-9;     // away so slowly is no hop, however weak the press [m/s]
+constexpr double kKeepGap = 1e-6;        // a support is left from further than this [m]
 constexpr double kStillSpeed = 1e-12;    // below: rounding, the ball lies still [m/s]
 constexpr double kStillFraction = 1e-12; // tangential acceleration below this part of the free one is rounding
 constexpr double kPiece = 2.5e-4;        // longest quintic piece on a curved or turning surface [s]
-
-struct Place
-{
-  const Shape& shape;
-  BodyFrame frame;
-};
-
-Place placeOf(const WorldState& world, const Supports::Surface& surface, double t)
-{
-  const BodyRecord& body = world.bodies[surface.body];
-  return {body.shapes()[surface.shape], frameAt(body.frame(), t - body.frame().start)};
-}
+constexpr double kFlatPiece = 2e-3;      // and on flat ones, where only air and turning slip bend the path [s]
+constexpr int kProjections = 8;
+constexpr double kShortestPiece = 1e-9;  // [s]
 
 // The ball is put on the surface and moves along it; false if it is off the surface or moves away or into it.
 bool projectOn(const Place& place, double radius, BallState& ball)
@@ -36,19 +29,29 @@ bool projectOn(const Place& place, double radius, BallState& ball)
   return true;
 }
 
+// Projecting on one surface shifts the ball on the others: a few rounds bring it onto all.
+void settleOnAll(const WorldState& world, const BallRecord& ball, BallState& state, double t)
+{
+  if (ball.supports.count < 2) return;
+  for (int round = 0; round < kProjections; ++round)
+    for (std::size_t i = 0; i < ball.supports.count; ++i)
+      projectOn(placeOf(world, ball, i, t), ball.params.radius, state);
+}
+
 void dropSurfacesLeft(const WorldState& world, BallRecord& ball, BallState& state, double t)
 {
   for (std::size_t i = ball.supports.count; i-- > 0;)
-    if (!projectOn(placeOf(world, ball.supports.list[i], t), ball.params.radius, state)) ball.supports.remove(i);
+    if (!projectOn(placeOf(world, ball, i, t), ball.params.radius, state)) ball.supports.remove(i);
+  settleOnAll(world, ball, state, t);
 }
 
-bool allFlatAndNotTurning(const WorldState& world, const Supports& supports, const BallState& ball, double t)
+bool allFlatAndNotTurning(const WorldState& world, const BallRecord& ball, const BallState& state, double t)
 {
-  for (std::size_t i = 0; i < supports.count; ++i)
+  for (std::size_t i = 0; i < ball.supports.count; ++i)
   {
-    const Place place = placeOf(world, supports.list[i], t);
-    if (world.bodies[supports.list[i].body].frame().turning()) return false;
-    const Vector3d p_BQ = place.frame.R_WB.transpose() * (ball.p_WB - place.frame.p_WB);
+    const Place place = placeOf(world, ball, i, t);
+    if (world.bodies[ball.supports.list[i].body].frame().turning()) return false;
+    const Vector3d p_BQ = place.frame.R_WB.transpose() * (state.p_WB - place.frame.p_WB);
     if (!proximity(place.shape, p_BQ).flat()) return false;
   }
   return true;
@@ -72,16 +75,40 @@ double leavesFirstFace(const WorldState& world, const Supports& supports, const 
   return first;
 }
 
-void slideOnFaces(const WorldState& world, const Supports& supports, const BallState& state, const Vector3d& a, double t,
-                  double window_end, Segment& path)
+// Whether the acceleration stays what it is now for as long as the ball stays on its faces.
+bool steady(const WorldState& world, const BallRecord& ball, const BallState& state, const HeldMotion& motion, double t)
 {
-  const bool still = state.v_WB.norm() < kStillSpeed && a.isZero(0.0);
+  if (!allFlatAndNotTurning(world, ball, state, t)) return false;
+  if (world.scene.forces.dependOnVelocity() && !(state.v_WB.isZero(0.0) && motion.a.isZero(0.0))) return false;
+  Vector3d slip = Vector3d::Zero();
+  std::size_t rough = 0;
+  for (std::size_t i = 0; i < ball.supports.count; ++i)
+  {
+    const Place place = placeOf(world, ball, i, t);
+    if (place.law.friction == 0.0) continue;
+    ++rough;
+    slip = slipOver(place, ball.params, state);
+  }
+  if (rough == 0) return true;
+  // Friction keeps its direction while the slip does: it changes along itself.
+  if (ball.supports.count > 1) return motion.a.isZero(0.0) && motion.alpha.isZero(0.0);
+  const Place place = placeOf(world, ball, 0, t);
+  const Vector3d n = gapTo(place.shape, place.frame, state.p_WB, state.v_WB, ball.params.radius).n_W;
+  const Vector3d change = motion.a - place.frame.a_WB - ball.params.radius * motion.alpha.cross(n);
+  return slip.cross(change - n.dot(change) * n).norm() <= 1e-12 * slip.norm() * (change.norm() + 1.0);
+}
+
+void moveOnFaces(const WorldState& world, const BallRecord& ball, const BallState& state, const HeldMotion& motion,
+                 double t, double window_end, Segment& path)
+{
+  const bool still = state.v_WB.norm() < kStillSpeed && motion.a.isZero(0.0);
   path.degree = still ? 0 : 2;
   path.c[1] = still ? Vector3d(Vector3d::Zero()) : state.v_WB;
-  path.c[2] = 0.5 * a;
-  path.end = leavesFirstFace(world, supports, path, t);
+  path.c[2] = 0.5 * motion.a;
+  path.alpha_WB = motion.alpha;
+  path.end = std::min(leavesFirstFace(world, ball.supports, path, t), t + motion.until_grip);
   // On a moving body the caller plans anew at the next window; the path only has to reach it.
-  if (onMovingBody(world, supports) && path.end > window_end) path.end = kNever;
+  if (onMovingBody(world, ball.supports) && path.end > window_end) path.end = kNever;
 }
 
 Vector3d cleaned(const Vector3d& a, const Vector3d& free)
@@ -89,28 +116,30 @@ Vector3d cleaned(const Vector3d& a, const Vector3d& free)
   return a.norm() < kStillFraction * free.norm() ? Vector3d(Vector3d::Zero()) : a;
 }
 
-struct Derivative
-{
-  Vector3d v, a;
-};
-
 // Classic Runge-Kutta step of the held motion.
-BallState heldStep(const WorldState& world, const Supports& supports, const BallState& start, double t, double h)
+BallState heldStep(const WorldState& world, const BallRecord& ball, const BallState& start, double t, double h)
 {
+  struct Slope
+  {
+    Vector3d v, a, alpha;
+  };
   AccelerationBounds bounds;
-  const auto slope = [&](const Derivative& before, double part) {
+  const auto slope = [&](const Slope& before, double part) {
     BallState at = start;
     at.p_WB += part * h * before.v;
     at.v_WB += part * h * before.a;
-    return Derivative{at.v_WB, heldAcceleration(world, supports, at, t + part * h, bounds)};
+    at.w_WB += part * h * before.alpha;
+    const HeldMotion motion = heldMotion(world, ball, at, t + part * h, h, bounds);
+    return Slope{at.v_WB, motion.a, motion.alpha};
   };
-  const Derivative k1 = slope({Vector3d::Zero(), Vector3d::Zero()}, 0.0);
-  const Derivative k2 = slope(k1, 0.5);
-  const Derivative k3 = slope(k2, 0.5);
-  const Derivative k4 = slope(k3, 1.0);
+  const Slope k1 = slope({Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()}, 0.0);
+  const Slope k2 = slope(k1, 0.5);
+  const Slope k3 = slope(k2, 0.5);
+  const Slope k4 = slope(k3, 1.0);
   BallState end = start;
   end.p_WB += h / 6.0 * (k1.v + 2.0 * k2.v + 2.0 * k3.v + k4.v);
   end.v_WB += h / 6.0 * (k1.a + 2.0 * k2.a + 2.0 * k3.a + k4.a);
+  end.w_WB += h / 6.0 * (k1.alpha + 2.0 * k2.alpha + 2.0 * k3.alpha + k4.alpha);
   return end;
 }
 
@@ -128,24 +157,28 @@ void hermite(const BallState& from, const Vector3d& a0, const BallState& to, con
   path.c[5] = (6.0 * p - 3.0 * v + 0.5 * a) / (h * h * h * h * h);
 }
 
-void slideOnCurve(const WorldState& world, const BallRecord& ball, const BallState& state, const Vector3d& a, double t,
-                  double window_end, Segment& path)
+void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallState& state, const HeldMotion& motion,
+                 double t, double window_end, Segment& path)
 {
-  const double h = onMovingBody(world, ball.supports) && window_end > t ? std::min(kPiece, window_end - t) : kPiece;
-  BallState end = heldStep(world, ball.supports, state, t, h);
+  double h = allFlatAndNotTurning(world, ball, state, t) ? kFlatPiece : kPiece;
+  if (motion.until_grip > kShortestPiece) h = std::min(h, motion.until_grip);
+  if (onMovingBody(world, ball.supports) && window_end > t) h = std::min(h, window_end - t);
+  BallState end = heldStep(world, ball, state, t, h);
   for (std::size_t i = 0; i < ball.supports.count; ++i)
-    projectOn(placeOf(world, ball.supports.list[i], t + h), ball.params.radius, end);
+    projectOn(placeOf(world, ball, i, t + h), ball.params.radius, end);
+  settleOnAll(world, ball, end, t + h);
   AccelerationBounds bounds;
-  hermite(state, a, end, heldAcceleration(world, ball.supports, end, t + h, bounds), h, path);
+  hermite(state, motion.a, end, heldMotion(world, ball, end, t + h, h, bounds).a, h, path);
+  path.alpha_WB = (end.w_WB - state.w_WB) / h;
   path.end = t + h;
 }
 }  // namespace
 
-bool bouncingEnds(double rate, double press, double restitution)
+bool bouncingEnds(double rate, double press, double touch_tolerance)
 {
   if (press <= 0.0) return false;
-  if (rate <= kNoHopSpeed) return true;
-  return restitution < 1.0 && rate * rate < 2.0 * press * kLift;
+  const double lift = std::max(kLift, kLiftInTolerances * touch_tolerance);
+  return rate <= kNoHopSpeed || rate * rate < 2.0 * press * lift;
 }
 
 double timeOfRemainingBounces(double rate, double press, double restitution)
@@ -153,37 +186,31 @@ double timeOfRemainingBounces(double rate, double press, double restitution)
   return restitution < 1.0 ? 2.0 * rate / (press * (1.0 - restitution)) : 0.0;
 }
 
-Vector3d heldAcceleration(const WorldState& world, const Supports& supports, const BallState& ball, double t,
-                          AccelerationBounds& bounds)
-{
-  bounds.count = supports.count;
-  for (std::size_t i = 0; i < supports.count; ++i)
-  {
-    const Place place = placeOf(world, supports.list[i], t);
-    const Vector3d d = ball.p_WB - place.frame.p_WB;
-    bounds.list[i].n = place.frame.R_WB * proximity(place.shape, place.frame.R_WB.transpose() * d).normal;
-    bounds.list[i].b = -gapAcceleration(place.shape, place.frame, ball.p_WB, ball.v_WB, Vector3d::Zero());
-  }
-  return constrainedAcceleration(freeAcceleration(world.scene.forces), bounds);
-}
-
 void planPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
 {
   ++ball.version;
-  Vector3d a = Vector3d::Zero();
+  HeldMotion motion;
   if (!ball.supports.none())
   {
     dropSurfacesLeft(world, ball, state, t);
     AccelerationBounds bounds;
-    a = heldAcceleration(world, ball.supports, state, t, bounds);
+    motion = heldMotion(world, ball, state, t, 0.0, bounds);
     for (std::size_t i = ball.supports.count; i-- > 0;)
       if (!bounds.loaded[i]) ball.supports.remove(i);
   }
-  ball.path = fly(state, t, world.scene.forces);
-  if (ball.supports.none()) return;
-  if (allFlatAndNotTurning(world, ball.supports, state, t))
-    slideOnFaces(world, ball.supports, state, cleaned(a, freeAcceleration(world.scene.forces)), t, window_end, ball.path);
+  const FlightModel model(world.scene.forces, ball.params);
+  if (ball.supports.none())
+  {
+    ball.path = fly(state, t, model, world.scene.tolerance, ball.step);
+    return;
+  }
+  const Vector3d free = model.acceleration(state.v_WB, state.w_WB);
+  motion.a = cleaned(motion.a, free);
+  motion.alpha = cleaned(ball.params.radius * motion.alpha, free) / ball.params.radius;
+  ball.path = flyParabola(state, t, Vector3d::Zero());
+  if (steady(world, ball, state, motion, t))
+    moveOnFaces(world, ball, state, motion, t, window_end, ball.path);
   else
-    slideOnCurve(world, ball, state, a, t, window_end, ball.path);
+    moveOnPiece(world, ball, state, motion, t, window_end, ball.path);
 }
 }  // namespace ping_pong

@@ -6,20 +6,20 @@
 namespace ping_pong
 {
 /// Decides when bouncing has ended: all bounces still to come, taken together, lift the ball by less than 1e-12 m. Their
-/// time is summed in closed form, so no bounce is lost from the clock, and no speed is a threshold.
+/// time is summed in closed form: no bounce is lost from the clock. Far from the origin, where coordinates are coarser, the
+/// height is 32 touch tolerances.
 /// @param rate  speed away from the surface after the bounce [m/s]
 /// @param press  acceleration into the surface, > 0 [m/s^2]
-bool bouncingEnds(double rate, double press, double restitution);
+bool bouncingEnds(double rate, double press, double touch_tolerance);
 
-/// Time of all bounces to come: flights 2 v/a with v falling by e each time, 2 v / (a (1 - e)) [s].
+/// Time of all bounces to come: flights 2 v/a with v falling by e each time, 2 v / (a (1 - e)) [s]; 0 for e = 1, where
+/// it would never end.
 double timeOfRemainingBounces(double rate, double press, double restitution);
 
-/// Acceleration of the ball with what its supports allow. Marks the loaded supports in `bounds`.
-Vector3d heldAcceleration(const WorldState& world, const Supports& supports, const BallState& ball, double t,
-                          AccelerationBounds& bounds);
+constexpr double kKeepSpeed = 1e-6;  ///< a support is left by moving away faster than this [m/s]
 
 /// Plans the path from `state` at time t: drops supports that let go or were left, projects what remains of the velocity
-/// into them, and lays a closed-form path in the air or on flat faces, or one short quintic piece on curved or turning
-/// surfaces. On moving bodies it holds until `window_end` only.
+/// into them, and lays a path: in the air; in closed form on flat faces (sliding to the end of slip, rolling, lying still); else
+/// one short quintic piece. On moving bodies it holds until `window_end` only.
 void planPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end);
 }  // namespace ping_pong

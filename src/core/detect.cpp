@@ -9,34 +9,50 @@ namespace
 {
 // Slower than this, a touching ball that is pressed on the surface cannot hop: height below 1e-19 m under gravity.
 constexpr double kNoHopSpeed = 1e-9;  // [m/s]
+// Closing in slower than this is rounding.
+constexpr double kNoClosingSpeed = 1e-12;  // [m/s]
 // A touching ball that neither closes in nor presses: look again after this time, then after twice that.
 constexpr double kFirstNudge = 1e-9;  // [s]
 constexpr double kLastNudge = 1e-6;   // [s]
 constexpr int kMaxLooks = 2000;
-// Beyond the border of a face by this much the edge carries the ball; lifts the ball by less than 1e-16 m.
-constexpr double kBorder = 1e-9;  // [m]
+// Beyond the border of a face by this much the edge carries the ball; there its normal is tilted by kBorder / r.
+constexpr double kBorder = 1e-11;  // [m]
+// A ball that is still on the face when it should have left it, by rounding, looks again after this time.
+constexpr double kLeast = 1e-9;  // [s]
 
-// Positive root of f + f' d - M d^2 / 2 = 0 without cancellation: no contact before it.
-double safeStep(double gap, double rate, double bound)
+// First d >= 0 with f + f' d + c d^2 / 2 = 0, for f >= 0, without cancellation; kNever if there is none.
+double safeStep(double gap, double rate, double c)
 {
-  const double root = std::sqrt(rate * rate + 2.0 * bound * gap);
-  if (rate < 0.0) return 2.0 * gap / (root - rate);
-  return bound > 0.0 ? (rate + root) / bound : kNever;
+  if (c >= 0.0 && rate >= 0.0) return kNever;
+  const double discriminant = rate * rate - 2.0 * c * gap;
+  if (discriminant < 0.0) return kNever;
+  const double root = std::sqrt(discriminant);
+  return rate < 0.0 ? 2.0 * gap / (root - rate) : (rate + root) / -c;
 }
 
-// `at(t)` gives gap and rate, `tolerance` the gap of touching, `presses(t)` whether a touching ball is accelerated inwards.
+// What `march` looks at: gap, rate, and a lower bound of the gap's second derivative from now on.
+struct Look
+{
+  double gap, rate, least_change;
+};
+
+// `at(t)` gives a Look, `tolerance` the gap of touching, `presses(t)` whether a touching ball is accelerated inwards.
 template <typename At, typename Presses>
-Detection march(const At& at, const Presses& presses, double from, double until, double bound, double tolerance)
+Detection march(const At& at, const Presses& presses, double from, double until, double tolerance)
 {
   double t = from;
   double nudge = kFirstNudge;
   for (int look = 0; look < kMaxLooks; ++look)
   {
-    const Gap now = at(t);
+    Look now = at(t);
     const bool touching = now.gap <= tolerance;
-    if (touching && now.rate < 0.0) return {t, false};
-    if (touching && now.rate <= kNoHopSpeed && presses(t)) return {t, false};
-    double step = safeStep(std::max(now.gap, 0.0), now.rate, bound);
+    if (touching)
+    {
+      if (now.rate < -kNoClosingSpeed) return {t, false};
+      if (now.rate <= kNoHopSpeed && presses(t)) return {t, false};
+      now.rate = std::max(now.rate, 0.0);
+    }
+    double step = safeStep(std::max(now.gap, 0.0), now.rate, now.least_change);
     if (touching)
     {
       step = std::max(step, nudge);
@@ -53,7 +69,6 @@ Detection march(const At& at, const Presses& presses, double from, double until,
 double relativeAccelerationBound(const Segment& path, const BodyMotion& motion, double from, double until)
 {
   const double s0 = from - path.start;
-  if (!motion.turning() && path.degree <= 2) return (2.0 * path.c[2] - motion.a_WB).norm();
   const double T = until - from;
   const double a = path.accelerationBound(s0, until - path.start) + motion.a_WB.norm();
   if (!motion.turning()) return a;
@@ -87,7 +102,7 @@ Detection firstContactOnQuadratic(const Vector3d& d, const Vector3d& u, double r
                                   double tolerance)
 {
   const double closing = d.dot(u);  // half the derivative of |d|^2
-  if (closing >= 0.0) return {};
+  if (closing >= -kNoClosingSpeed * reach) return {};
   const double distance = d.norm();
   const double c = (distance - reach) * (distance + reach);
   if (distance - reach <= tolerance) return {from, false};
@@ -137,7 +152,7 @@ double leavesBoxFace(const FaceFrame& ball, const Vector3d& half)
     first = std::min({first, passes(ball.y[i], ball.u[i], ball.a[i], limit),
                       passes(-ball.y[i], -ball.u[i], -ball.a[i], limit)});
   }
-  return first;
+  return std::max(first, kLeast);
 }
 
 // No earlier than the time to cover the distance to the rim at the bounded speed; the caller looks again then.
@@ -148,7 +163,7 @@ double leavesCap(const FaceFrame& ball, double radius)
   const double u = ball.u.norm();
   const double a = ball.a.norm();
   if (u == 0.0 && a == 0.0) return kNever;
-  return std::max(2.0 * gap / (u + std::sqrt(u * u + 2.0 * a * gap)), 1e-9);
+  return std::max(2.0 * gap / (u + std::sqrt(u * u + 2.0 * a * gap)), kLeast);
 }
 }  // namespace
 
@@ -191,16 +206,20 @@ Detection firstContact(const Segment& path, double radius, const Shape& shape, c
   const bool still = motion.still();
   const BodyFrame frozen = frameAt(motion, 0.0);
   const auto frame = [&](double t) { return still ? frozen : frameAt(motion, t - motion.start); };
+  // A body that does not turn stays behind its tangent plane: there the gap is at least a parabola.
+  const bool parabola = path.degree <= 2 && !motion.turning();
+  const Vector3d a = 2.0 * path.c[2] - motion.a_WB;
+  const double bound = parabola ? 0.0 : relativeAccelerationBound(path, motion, from, until);
   const auto at = [&](double t) {
     const double s = t - path.start;
-    return gapTo(shape, frame(t), path.position(s), path.velocity(s), radius);
+    const Gap gap = gapTo(shape, frame(t), path.position(s), path.velocity(s), radius);
+    return Look{gap.gap, gap.rate, parabola ? gap.n_W.dot(a) : -bound};
   };
   const auto presses = [&](double t) {
     const double s = t - path.start;
     return gapAcceleration(shape, frame(t), path.position(s), path.velocity(s), path.acceleration(s)) < 0.0;
   };
-  const double bound = relativeAccelerationBound(path, motion, from, until);
-  return march(at, presses, from, until, bound, touchTolerance(path.position(from - path.start), radius));
+  return march(at, presses, from, until, touchTolerance(path.position(from - path.start), radius));
 }
 
 Detection firstContact(const Segment& path1, double radius1, const Segment& path2, double radius2, double from,
@@ -213,26 +232,27 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
   const double s2 = from - path2.start;
   const Vector3d p1 = path1.position(s1);
   const double tolerance = touchTolerance(p1, reach);
-  if (path1.degree <= 2 && path2.degree <= 2 && path1.c[2] == path2.c[2])
+  const bool parabola = path1.degree <= 2 && path2.degree <= 2;
+  if (parabola && path1.c[2] == path2.c[2])
     return firstContactOnQuadratic(p1 - path2.position(s2), path1.velocity(s1) - path2.velocity(s2), reach, from,
                                    until, tolerance);
+  const Vector3d a = 2.0 * (path1.c[2] - path2.c[2]);
+  const double bound = parabola ? 0.0
+                                : path1.accelerationBound(s1, until - path1.start) +
+                                      path2.accelerationBound(s2, until - path2.start);
   const auto at = [&](double t) {
     const Vector3d d = path1.position(t - path1.start) - path2.position(t - path2.start);
     const Vector3d u = path1.velocity(t - path1.start) - path2.velocity(t - path2.start);
     const double distance = d.norm();
-    return Gap{distance - reach, d.dot(u) / distance, d / distance};
+    return Look{distance - reach, d.dot(u) / distance, parabola ? d.dot(a) / distance : -bound};
   };
   const auto presses = [&](double t) {
     const Vector3d d = path1.position(t - path1.start) - path2.position(t - path2.start);
     const Vector3d u = path1.velocity(t - path1.start) - path2.velocity(t - path2.start);
-    const Vector3d a = path1.acceleration(t - path1.start) - path2.acceleration(t - path2.start);
-    return d.dot(a) + u.squaredNorm() < 0.0;
+    const Vector3d pull = path1.acceleration(t - path1.start) - path2.acceleration(t - path2.start);
+    return d.dot(pull) + u.squaredNorm() < 0.0;
   };
-  const double bound = path1.degree <= 2 && path2.degree <= 2
-                           ? 2.0 * (path1.c[2] - path2.c[2]).norm()
-                           : path1.accelerationBound(s1, until - path1.start) +
-                                 path2.accelerationBound(s2, until - path2.start);
-  return march(at, presses, from, until, bound, tolerance);
+  return march(at, presses, from, until, tolerance);
 }
 
 double leavesFace(const Segment& path, const Shape& shape, const BodyMotion& motion, double from, double until)

@@ -4,6 +4,7 @@
 
 #include "contact_mode.h"
 #include "foresight.h"
+#include "held_motion.h"
 #include "ping_pong_sim/resolve.h"
 #include "placement.h"
 
@@ -11,27 +12,30 @@ namespace ping_pong
 {
 namespace
 {
-// Contacts of a ball that follow each other faster than this are a streak. A long streak means that events pile up: balls
-// collapse on each other, or a ball is squeezed. Then, and only then, balls stop losing speed to each other (the TC rule of
-// Luding and McNamara 1998), which makes the number of events finite.
+// Contacts of a ball that follow each other faster than this are a streak. After a long streak balls stop losing speed to
+// each other (the TC rule of Luding and McNamara 1998), which makes the number of events finite where balls collapse.
 constexpr double kStreakTime = 1e-5;       // [s]
 constexpr double kStreakForgotten = 1e-3;  // a streak ends when nothing happens for so long [s]
 constexpr int kLongStreak = 64;
-constexpr int kHopelessStreak = 1000;
-// Balls that press on each other and no longer bounce part with this speed: hops of v^2/2g = 5e-8 m, 0.2 ms long.
-constexpr double kHopSpeed = 1e-3;     // [m/s]
+// Contacts that follow each other faster than this are a crush: a moving paddle leaves hardly any room.
+constexpr double kCrushTime = 1e-7;        // [s]
+constexpr int kHopelessCrush = 10000;
+// Balls that press on each other and no longer bounce part with this speed: hops of v^2/2g = 1.3e-6 m, 1 ms long.
+constexpr double kHopSpeed = 5e-3;     // [m/s]
 constexpr double kTouchSpeed = 1e-9;   // slower is no impact [m/s]
 constexpr double kSqueezeGap = 2e-5;   // room left to a ball that counts as squeezed [m]
-constexpr double kRoom = 1e-9;         // overlap at which a squeezed ball is free again [m]
 constexpr double kOpposed = -0.999;    // cosine between normals of squeezing surfaces
+constexpr double kSameNormal = 1e-9;   // 1 - cosine between normals of faces that continue each other
+constexpr double kPassTime = 1e-6;     // a seam between such faces is passed in this time [s]
 constexpr std::size_t kEventsPerAdvance = 1000000;
 constexpr std::size_t kEventsPerBall = 10000;
 
 void countStreak(BallRecord& ball, double t)
 {
   const double pause = t - ball.last_contact;
-  if (pause < kStreakTime) ++ball.streak, ++ball.body_streak;
-  if (pause > kStreakForgotten) ball.streak = ball.body_streak = 0;
+  if (pause < kStreakTime) ++ball.streak;
+  if (pause > kStreakForgotten) ball.streak = 0;
+  ball.crush = pause < kCrushTime ? ball.crush + 1 : 0;
   ball.last_contact = t;
 }
 
@@ -72,17 +76,6 @@ bool squeezedBetween(const WorldState& world, const BallRecord& ball, const Ball
   return false;
 }
 
-// The ball stays where it was last whole, collides with nothing, and is let go at rest when there is room again.
-void squeeze(BallRecord& ball, BallState state, double t)
-{
-  ball.squeezed = true;
-  ball.supports = Supports();
-  ball.next = ball.next_moving = Event();
-  ++ball.version;
-  state.v_WB.setZero();
-  ball.path = fly(state, t, Forces());
-}
-
 // --- resolve ---
 
 // Hops of a pile are not worth a report.
@@ -92,7 +85,7 @@ bool worthAReport(const BallRecord& ball, double closing)
 }
 
 void recordBodyContact(WorldState& world, const BallRecord& ball, const Event& event, const BallState& before,
-                       const Vector3d& v_after, const Gap& gap, const Vector3d& u, double t)
+                       const BallState& after, const Gap& gap, const Vector3d& u, double t)
 {
   Contact contact;
   contact.time = t;
@@ -102,10 +95,11 @@ void recordBodyContact(WorldState& world, const BallRecord& ball, const Event& e
   contact.p_WC = before.p_WB - ball.params.radius * gap.n_W;
   contact.n_W = gap.n_W;
   contact.v_before = before.v_WB;
-  contact.v_after = v_after;
-  contact.w_before = contact.w_after = before.w_WB;
+  contact.v_after = after.v_WB;
+  contact.w_before = before.w_WB;
+  contact.w_after = after.w_WB;
   contact.v_other = u;
-  contact.impulse = ball.params.mass * (v_after - before.v_WB);
+  contact.impulse = ball.params.mass * (after.v_WB - before.v_WB);
   world.contacts.push_back(contact);
   ++world.status.contacts;
 }
@@ -117,13 +111,35 @@ void settle(const WorldState& world, BallRecord& ball, const Event& event, const
   const BodyRecord& body = world.bodies[event.other];
   const Shape& shape = body.shapes()[event.shape];
   AccelerationBounds bounds;
-  const Vector3d a = heldAcceleration(world, ball.supports, state, t, bounds);
+  const Vector3d a = smoothAcceleration(world, ball, state, t, bounds);
   const double press = -gapAcceleration(shape, frame, state.p_WB, state.v_WB, a);
   const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
-  if (!bouncingEnds(gap.rate, press, law.restitution)) return;
+  if (!bouncingEnds(gap.rate, press, touchTolerance(state.p_WB, ball.params.radius))) return;
   ball.supports.add(event.other, event.shape);
   ball.supports.since = t + timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution);
   state.v_WB -= gap.rate * gap.n_W;
+  state.p_WB -= gap.gap * gap.n_W;
+}
+
+// A ball that lies on one face and comes to the next one in the same plane: only rounding tells of a hit.
+bool passesSeam(const WorldState& world, const BallRecord& ball, const BallState& state, const Gap& gap, double t)
+{
+  if (gap.rate < -kKeepSpeed) return false;
+  for (std::size_t i = 0; i < ball.supports.count; ++i)
+  {
+    const Place place = placeOf(world, ball, i, t);
+    const Gap support = gapTo(place.shape, place.frame, state.p_WB, state.v_WB, ball.params.radius);
+    if (1.0 - support.n_W.dot(gap.n_W) < kSameNormal) return true;
+  }
+  return false;
+}
+
+// In a crush a moving surface takes the ball along and does not throw it: no pumping up between paddle and table.
+Surface lawOf(const WorldState& world, const BallRecord& ball, const BodyRecord& body, const Shape& shape)
+{
+  Surface law = world.surface(ball, shape);
+  if (ball.crush > kLongStreak && body.moving) law.restitution = 0.0;
+  return law;
 }
 
 void hitBody(WorldState& world, std::size_t i, const Event& event, double t, double window_end)
@@ -131,33 +147,39 @@ void hitBody(WorldState& world, std::size_t i, const Event& event, double t, dou
   BallRecord& ball = world.balls[i];
   const BodyRecord& body = world.bodies[event.other];
   const Shape& shape = body.shapes()[event.shape];
-  const Surface& law = world.surface(ball, shape);
   const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
   BallState state = ball.stateAt(t);
   const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
+  if (passesSeam(world, ball, state, gap, t))
+  {
+    ball.passing = {event.other, event.shape, t + kPassTime};
+    return foreseeAll(world, i, t, window_end);
+  }
   const Vector3d u = frame.pointVelocity(state.p_WB - ball.params.radius * gap.n_W);
   countStreak(ball, t);
-  if (ball.body_streak > kHopelessStreak ||
-      (ball.body_streak > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
+  if ((ball.crush > kHopelessCrush && body.moving) ||
+      (ball.crush > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
     return squeeze(ball, state, t);
+  const Surface law = lawOf(world, ball, body, shape);
   const BallState before = state;
-  state.v_WB = bounce(law, state.v_WB, u, gap.n_W);
-  if (worthAReport(ball, -gap.rate)) recordBodyContact(world, ball, event, before, state.v_WB, gap, u, t);
+  bounce(law, ball.params, state, u, gap.n_W);
+  if (worthAReport(ball, -gap.rate)) recordBodyContact(world, ball, event, before, state, gap, u, t);
   settle(world, ball, event, law, frame, state, t);
   restart(world, i, state, t, window_end);
 }
 
-// Speed of separation of two balls after they met with this closing speed. Where a force keeps pressing them together, the
-// end of a pile-up is a hop; else it is an elastic impact.
-double separationSpeed(const BallRecord& a, const BallRecord& b, double closing, double restitution, bool forced)
+// Speed of separation of two balls after they met with this closing speed. Where forces press them together, the end of a
+// pile-up is a hop; else it is an elastic impact.
+double separationSpeed(const BallRecord& a, const BallRecord& b, double closing, double restitution, bool pressed)
 {
-  if (closing <= kTouchSpeed) return kHopSpeed;
+  if (closing <= kTouchSpeed) return pressed ? kHopSpeed : std::max(closing, 0.0);
   if (std::min(a.streak, b.streak) <= kLongStreak) return restitution * closing;
-  return forced ? std::max(closing, kHopSpeed) : closing;
+  return pressed ? std::max(closing, kHopSpeed) : closing;
 }
 
 void recordBallContact(WorldState& world, const BallRecord& a, const BallRecord& b, const BallState& before_a,
-                       const BallState& before_b, const Vector3d& n, const Vector3d& impulse, double t)
+                       const BallState& after_a, const Vector3d& v_other, const Vector3d& n, const Vector3d& impulse,
+                       double t)
 {
   Contact contact;
   contact.time = t;
@@ -167,9 +189,10 @@ void recordBallContact(WorldState& world, const BallRecord& a, const BallRecord&
   contact.n_W = n;
   contact.p_WC = before_a.p_WB - a.params.radius * n;
   contact.v_before = before_a.v_WB;
-  contact.v_after = before_a.v_WB + impulse / a.params.mass;
-  contact.w_before = contact.w_after = before_a.w_WB;
-  contact.v_other = before_b.v_WB;
+  contact.v_after = after_a.v_WB;
+  contact.w_before = before_a.w_WB;
+  contact.w_after = after_a.w_WB;
+  contact.v_other = v_other;
   contact.impulse = impulse;
   world.contacts.push_back(contact);
   ++world.status.contacts;
@@ -185,15 +208,14 @@ void hitBall(WorldState& world, std::size_t i, std::size_t k, double t, double w
   const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
   countStreak(a, t);
   countStreak(b, t);
-  a.body_streak = b.body_streak = 0;
-  // The law's restitution, or what a pile-up leaves of it.
-  const double speed = separationSpeed(a, b, closing, world.surface(a, b).restitution,
-                                       !freeAcceleration(world.scene.forces).isZero(0.0));
-  const double reduced = a.params.mass * b.params.mass / (a.params.mass + b.params.mass);
-  const Vector3d impulse = reduced * (closing + speed) * n;
-  if (worthAReport(a, closing)) recordBallContact(world, a, b, state_a, state_b, n, impulse, t);
-  state_a.v_WB += impulse / a.params.mass;
-  state_b.v_WB -= impulse / b.params.mass;
+  const Surface& law = world.surface(a, b);
+  const Vector3d pull = a.path.acceleration(t - a.path.start) - b.path.acceleration(t - b.path.start);
+  const double speed = separationSpeed(a, b, closing, law.restitutionAt(closing), n.dot(pull) < 0.0);
+  const BallState before_a = state_a;
+  const Vector3d p_WC = state_a.p_WB - a.params.radius * n;
+  const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
+  const Vector3d impulse = part(law, speed, a.params, state_a, b.params, state_b, n);
+  if (worthAReport(a, closing)) recordBallContact(world, a, b, before_a, state_a, v_other, n, impulse, t);
   planPath(world, a, state_a, t, window_end);
   planPath(world, b, state_b, t, window_end);
   foreseeAll(world, i, t, window_end);
@@ -286,6 +308,16 @@ void runExact(WorldState& world, double window_end)
   }
 }
 
+void squeeze(BallRecord& ball, BallState state, double t)
+{
+  ball.squeezed = true;
+  ball.supports = Supports();
+  ball.next = ball.next_moving = Event();
+  ++ball.version;
+  state.v_WB.setZero();
+  ball.path = flyParabola(state, t, Vector3d::Zero());
+}
+
 void releaseSqueezed(WorldState& world)
 {
   for (std::size_t i = 0; i < world.balls.size(); ++i)
@@ -293,7 +325,7 @@ void releaseSqueezed(WorldState& world)
     BallRecord& ball = world.balls[i];
     if (!ball.squeezed) continue;
     const BallState state = ball.stateAt(world.time);
-    if (deepestOverlap(world, state.p_WB, ball.params.radius, world.time).gap < -kRoom) continue;
+    if (!describeOverlap(world, state.p_WB, ball.params.radius, i).empty()) continue;
     ball.squeezed = false;
     restart(world, i, state, world.time, world.time);
   }

@@ -11,6 +11,9 @@ void restartExact(WorldState& world);
 /// Handles all events up to `window_end`; the motions of all paddles are smooth until then.
 void runExact(WorldState& world, double window_end);
 
+/// The ball stays where it was last whole, collides with nothing, and is let go at rest when there is room again.
+void squeeze(BallRecord& ball, BallState state, double t);
+
 /// Frees balls that have room again.
 void releaseSqueezed(WorldState& world);
 }  // namespace ping_pong

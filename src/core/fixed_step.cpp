@@ -43,9 +43,10 @@ void collideWithBodies(WorldState& world, const BallRecord& ball, BallState& sta
       contact.p_WC = state.p_WB - ball.params.radius * gap.n_W;
       contact.v_other = frame.pointVelocity(contact.p_WC);
       contact.v_before = state.v_WB;
-      contact.w_before = contact.w_after = state.w_WB;
-      state.v_WB = bounce(world.surface(ball, shape), state.v_WB, contact.v_other, gap.n_W);
+      contact.w_before = state.w_WB;
+      bounce(world.surface(ball, shape), ball.params, state, contact.v_other, gap.n_W);
       contact.v_after = state.v_WB;
+      contact.w_after = state.w_WB;
       record(world, contact, ball, t);
     }
   }
@@ -62,20 +63,20 @@ void collidePair(WorldState& world, const BallRecord& a, BallState& state_a, con
   const double share = b.params.mass / (a.params.mass + b.params.mass);  // the lighter ball gives way further
   state_a.p_WB += share * overlap * n;
   state_b.p_WB -= (1.0 - share) * overlap * n;
-  const Vector3d impulse = impulseBetween(world.surface(a, b), a.params.mass, state_a.v_WB, b.params.mass,
-                                          state_b.v_WB, n);
-  if (impulse.isZero(0.0)) return;
+  const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
+  if (closing <= 0.0) return;
   Contact contact;
   contact.with_ball = true;
   contact.other_ball = b.id;
   contact.n_W = n;
   contact.p_WC = state_a.p_WB - a.params.radius * n;
-  contact.v_other = state_b.v_WB;
+  contact.v_other = state_b.v_WB + state_b.w_WB.cross(contact.p_WC - state_b.p_WB);
   contact.v_before = state_a.v_WB;
-  contact.w_before = contact.w_after = state_a.w_WB;
-  state_a.v_WB += impulse / a.params.mass;
-  state_b.v_WB -= impulse / b.params.mass;
+  contact.w_before = state_a.w_WB;
+  const Surface& law = world.surface(a, b);
+  part(law, law.restitutionAt(closing) * closing, a.params, state_a, b.params, state_b, n);
   contact.v_after = state_a.v_WB;
+  contact.w_after = state_a.w_WB;
   record(world, contact, a, t);
 }
 
@@ -83,7 +84,7 @@ void collidePair(WorldState& world, const BallRecord& a, BallState& state_a, con
 void store(WorldState& world, BallRecord& ball, const BallState& state, double t)
 {
   if (finite(state))
-    ball.path = fly(state, t, Forces());
+    ball.path = flyParabola(state, t, Vector3d::Zero());
   else
     world.status.not_finite = true;
   ball.path.start = t;
@@ -95,7 +96,8 @@ void step(WorldState& world, std::vector<BallState>& states, double from, double
   for (std::size_t i = 0; i < states.size(); ++i)
   {
     states[i] = world.balls[i].stateAt(from);
-    semi_implicit ? stepSemiImplicit(states[i], world.scene.forces, h) : stepExplicit(states[i], world.scene.forces, h);
+    const FlightModel model(world.scene.forces, world.balls[i].params);
+    semi_implicit ? stepSemiImplicit(states[i], model, h) : stepExplicit(states[i], model, h);
     collideWithBodies(world, world.balls[i], states[i], to);
   }
   for (std::size_t i = 0; i < states.size(); ++i)

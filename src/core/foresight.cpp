@@ -23,7 +23,9 @@ void lookAtBody(const WorldState& world, const BallRecord& ball, std::size_t b, 
   for (std::size_t s = 0; s < body.shapes().size(); ++s)
   {
     if (ball.supports.has(b, s)) continue;
-    const Detection found = firstContact(ball.path, ball.params.radius, body.shapes()[s], body.frame(), t,
+    const bool passing = ball.passing.body == b && ball.passing.shape == s;
+    const double from = passing ? std::max(t, ball.passing.until) : t;
+    const Detection found = firstContact(ball.path, ball.params.radius, body.shapes()[s], body.frame(), from,
                                          std::min(until, next.time));
     if (found.time < next.time) next = toEvent(found, Event::Kind::HitBody, b, s, body.version);
   }

@@ -9,36 +9,55 @@ namespace
 constexpr double kTouching = 1e-9;  // overlap that is no overlap [m]
 constexpr int kMaxPushes = 50;
 
-std::string described(const std::string& what, double depth)
+struct Overlap
 {
-  char text[64];
-  std::snprintf(text, sizeof text, " (%.3g mm deep)", 1e3 * depth);
-  return what + text;
+  double gap = kNever;  // smallest gap, negative in overlap [m]
+  Vector3d n_W = Vector3d::UnitZ();
+  std::string with;
+};
+
+void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, Overlap& deepest)
+{
+  for (const BodyRecord& body : world.bodies)
+  {
+    const BodyFrame frame = frameAt(body.frame(), world.time - body.frame().start);
+    for (const Shape& shape : body.shapes())
+    {
+      const Gap gap = gapTo(shape, frame, p_WB, Vector3d::Zero(), radius);
+      if (gap.gap < deepest.gap) deepest = {gap.gap, gap.n_W, body.body.name};
+    }
+  }
+}
+
+void lookAtBalls(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except, Overlap& deepest)
+{
+  for (std::size_t i = 0; i < world.balls.size(); ++i)
+  {
+    const BallRecord& other = world.balls[i];
+    if (i == except || other.squeezed) continue;
+    const Vector3d d = p_WB - other.stateAt(world.time).p_WB;
+    const double distance = d.norm();
+    const double gap = distance - radius - other.params.radius;
+    if (gap >= deepest.gap) continue;
+    const Vector3d n = distance > 0.0 ? Vector3d(d / distance) : Vector3d(Vector3d::UnitZ());
+    deepest = {gap, n, "ball_" + std::to_string(other.id)};
+  }
+}
+
+Overlap deepestOverlap(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
+{
+  Overlap deepest;
+  lookAtBodies(world, p_WB, radius, deepest);
+  lookAtBalls(world, p_WB, radius, except, deepest);
+  return deepest;
 }
 }  // namespace
 
-Overlap deepestOverlap(const WorldState& world, const Vector3d& p_WB, double radius, double t)
-{
-  Overlap deepest;
-  for (std::size_t b = 0; b < world.bodies.size(); ++b)
-  {
-    const BodyRecord& body = world.bodies[b];
-    const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
-    for (std::size_t s = 0; s < body.shapes().size(); ++s)
-    {
-      const Gap gap = gapTo(body.shapes()[s], frame, p_WB, Vector3d::Zero(), radius);
-      if (gap.gap < deepest.gap)
-        deepest = {gap.gap, gap.n_W, frame.pointVelocity(p_WB - radius * gap.n_W), b, s};
-    }
-  }
-  return deepest;
-}
-
-bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, double t)
+bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, std::size_t except)
 {
   for (int i = 0; i < kMaxPushes; ++i)
   {
-    const Overlap deepest = deepestOverlap(world, p_WB, radius, t);
+    const Overlap deepest = deepestOverlap(world, p_WB, radius, except);
     if (deepest.gap >= -kTouching) return true;
     p_WB -= deepest.gap * deepest.n_W;
   }
@@ -47,15 +66,10 @@ bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, double t)
 
 std::string describeOverlap(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
 {
-  const Overlap deepest = deepestOverlap(world, p_WB, radius, world.time);
-  if (deepest.gap < -kTouching) return described(world.bodies[deepest.body].body.name, -deepest.gap);
-  for (std::size_t i = 0; i < world.balls.size(); ++i)
-  {
-    if (i == except) continue;
-    const BallRecord& other = world.balls[i];
-    const double gap = (other.stateAt(world.time).p_WB - p_WB).norm() - radius - other.params.radius;
-    if (gap < -kTouching) return described("ball_" + std::to_string(other.id), -gap);
-  }
-  return {};
+  const Overlap deepest = deepestOverlap(world, p_WB, radius, except);
+  if (deepest.gap >= -kTouching) return {};
+  char depth[64];
+  std::snprintf(depth, sizeof depth, " (%.3g mm deep)", -1e3 * deepest.gap);
+  return deepest.with + depth;
 }
 }  // namespace ping_pong

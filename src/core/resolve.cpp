@@ -1,19 +1,66 @@
 #include "ping_pong_sim/resolve.h"
 
+#include <cmath>
+
 namespace ping_pong
 {
-Vector3d bounce(const Surface& law, const Vector3d& v_WB, const Vector3d& u_WC, const Vector3d& n_W)
+namespace
 {
-  const double closing = n_W.dot(v_WB - u_WC);
-  if (closing >= 0.0) return v_WB;
-  return v_WB - (1.0 + law.restitution) * closing * n_W;
+// Impulse against the slip: what grips, or what friction can do.
+Vector3d tangentialImpulse(const Surface& law, const Vector3d& slip, double mass, double normal_impulse)
+{
+  if (law.friction == 0.0) return Vector3d::Zero();
+  const Vector3d grip = -(1.0 + law.tangential_restitution) * mass * slip;
+  const double most = law.friction * normal_impulse;
+  const double needed = grip.norm();
+  return needed > most ? Vector3d(most / needed * grip) : grip;
 }
 
-Vector3d impulseBetween(const Surface& law, double m1, const Vector3d& v1, double m2, const Vector3d& v2,
-                        const Vector3d& n_W)
+void apply(const BallParams& ball, BallState& state, const Vector3d& n, const Vector3d& impulse)
 {
-  const double closing = n_W.dot(v1 - v2);
-  if (closing >= 0.0) return Vector3d::Zero();
-  return -(1.0 + law.restitution) * closing * (m1 * m2 / (m1 + m2)) * n_W;
+  state.v_WB += impulse / ball.mass;
+  state.w_WB -= n.cross(impulse) / (ball.inertia * ball.mass * ball.radius);
+}
+
+Vector3d tangential(const Vector3d& u, const Vector3d& n)
+{
+  return u - n.dot(u) * n;
+}
+}  // namespace
+
+Vector3d bounce(const Surface& law, const BallParams& ball, BallState& state, const Vector3d& u_WC,
+                const Vector3d& n_W)
+{
+  const Vector3d relative = state.v_WB - u_WC;
+  const double closing = -n_W.dot(relative);
+  if (closing <= 0.0) return Vector3d::Zero();
+  const double normal = (1.0 + law.restitutionAt(closing)) * ball.mass * closing;
+  const Vector3d slip = tangential(relative, n_W) - ball.radius * state.w_WB.cross(n_W);
+  const double k = ball.inertia;
+  const Vector3d sideways = tangentialImpulse(law, slip, ball.mass * k / (1.0 + k), normal);
+  state.v_WB += normal / ball.mass * n_W;
+  if (law.friction > 0.0) apply(ball, state, n_W, sideways);
+  return normal * n_W + sideways;
+}
+
+Vector3d part(const Surface& law, double speed, const BallParams& ball1, BallState& state1,
+              const BallParams& ball2, BallState& state2, const Vector3d& n_W)
+{
+  const Vector3d relative = state1.v_WB - state2.v_WB;
+  const double closing = -n_W.dot(relative);
+  const double reduced = ball1.mass * ball2.mass / (ball1.mass + ball2.mass);
+  const double normal = reduced * (closing + speed);
+  const Vector3d spin = ball1.radius * state1.w_WB + ball2.radius * state2.w_WB;
+  const Vector3d slip = tangential(relative, n_W) - spin.cross(n_W);
+  const double give = (1.0 + 1.0 / ball1.inertia) / ball1.mass + (1.0 + 1.0 / ball2.inertia) / ball2.mass;
+  const Vector3d sideways = tangentialImpulse(law, slip, 1.0 / give, normal);
+  state1.v_WB += normal / ball1.mass * n_W;
+  state2.v_WB -= normal / ball2.mass * n_W;
+  if (law.friction > 0.0)
+  {
+    apply(ball1, state1, n_W, sideways);
+    apply(ball2, state2, -n_W, -sideways);
+  }
+  return normal * n_W + sideways;
 }
 }  // namespace ping_pong

@@ -30,9 +30,25 @@ Vector3d Segment::acceleration(double s) const
   return sum;
 }
 
+Vector3d Segment::spin(double s) const
+{
+  const Vector3d w = spin_decay > 0.0 ? Vector3d(std::exp(-spin_decay * s) * w_WB) : w_WB;
+  return w + s * alpha_WB;
+}
+
 BallState Segment::state(double s) const
 {
-  return {position(s), turned(q_WB, w_WB, s), velocity(s), w_WB};
+  // Exact where the axis keeps its direction; a ball that starts to roll while it spins about the normal turns nearly so.
+  const double time_of_decay = spin_decay > 0.0 ? -std::expm1(-spin_decay * s) / spin_decay : s;
+  const Vector3d turn = time_of_decay * w_WB + (0.5 * s * s) * alpha_WB;
+  return {position(s), turned(q_WB, turn, 1.0), velocity(s), spin(s)};
+}
+
+std::array<Vector3d, Segment::kMaxDegree + 1> Segment::zeros()
+{
+  std::array<Vector3d, kMaxDegree + 1> c;
+  c.fill(Vector3d::Zero());
+  return c;
 }
 
 double Segment::speedBound(double from, double to) const

@@ -4,10 +4,17 @@
 #include <cmath>
 #include <limits>
 
+#include "gjk.h"
+
 namespace ping_pong
 {
 namespace
 {
+// Round shapes nearer than this by their axes are looked at closely.
+constexpr double kNear = 1e-3;  // [m]
+constexpr int kMaxClimb = 60;
+constexpr double kLeastClimb = 1e-7;  // [rad]
+
 // A shape with its axes in the world.
 struct Placed
 {
@@ -35,23 +42,12 @@ struct Placed
         break;
       }
       case ShapeKind::Sphere:
-        q = h.x() * m;
+        q = h.x() * m.normalized();
         break;
       case ShapeKind::HalfSpace:
         break;
     }
     return R * q + p;
-  }
-
-  // Point of the shape nearest to Q: exact for an axis of separation when Q is a point of the other shape.
-  Vector3d nearest(const Vector3d& Q) const
-  {
-    const Vector3d q = R.transpose() * (Q - p);
-    Shape at_origin = shape;
-    at_origin.R_BS.setIdentity();
-    at_origin.p_BS.setZero();
-    const Proximity near = proximity(at_origin, q);
-    return near.distance > 0.0 ? Vector3d(R * (q - near.distance * near.normal) + p) : Q;
   }
 };
 
@@ -75,6 +71,24 @@ public:
   }
   Separation best() const { return best_; }
 
+  // The gap over all directions has its greatest value along the line of nearest points; the difference of the two support
+  // points is its gradient. Steepest ascent with a step that grows and shrinks.
+  void climb()
+  {
+    double step = 0.1;
+    for (int i = 0; i < kMaxClimb && step > kLeastClimb; ++i)
+    {
+      const Vector3d n = best_.n_W;
+      const Vector3d d = best_.p_WC - b_.furthest(n);
+      const Vector3d uphill = d - n.dot(d) * n;
+      const double slope = uphill.norm();
+      if (!(slope > 0.0)) return;
+      const double before = best_.gap;
+      tryDirection((n + step / slope * uphill).normalized());
+      step *= best_.gap > before ? 1.5 : 0.5;
+    }
+  }
+
 private:
   const Placed& a_;
   const Placed& b_;
@@ -92,17 +106,6 @@ Vector3d axis(const Placed& placed, int i)
   return placed.R.col(placed.shape.kind == ShapeKind::Cylinder ? 2 : i);
 }
 
-// Alternating projections walk towards the nearest points of two convex shapes.
-void tryNearestPoints(const Placed& a, const Placed& b, AxisSearch& search)
-{
-  Vector3d on_a = a.p;
-  for (int i = 0; i < 8; ++i)
-  {
-    const Vector3d on_b = b.nearest(on_a);
-    on_a = a.nearest(on_b);
-    search.tryAxis(on_a - on_b);
-  }
-}
 }  // namespace
 
 Separation separation(const Shape& shape_a, const Pose& X_WA, const Shape& shape_b, const Pose& X_WB)
@@ -119,7 +122,13 @@ Separation separation(const Shape& shape_a, const Pose& X_WA, const Shape& shape
   for (int i = 0; i < axesOf(shape_b); ++i) search.tryAxis(axis(b, i));
   for (int i = 0; i < axesOf(shape_a); ++i)
     for (int k = 0; k < axesOf(shape_b); ++k) search.tryAxis(axis(a, i).cross(axis(b, k)));
-  tryNearestPoints(a, b, search);
+  const bool boxes = shape_a.kind == ShapeKind::Box && shape_b.kind == ShapeKind::Box;
+  if (boxes || search.best().gap > kNear) return search.best();
+  const auto support = [&](const Vector3d& n) -> Vector3d { return a.furthest(n) - b.furthest(-n); };
+  AxisSearch along_nearest(a, b);
+  along_nearest.tryAxis(shortestDifference(support, a.p - b.p));
+  along_nearest.climb();
+  if (along_nearest.best().gap > search.best().gap) return along_nearest.best();
   return search.best();
 }
 }  // namespace ping_pong

@@ -12,7 +12,7 @@ constexpr double kRounding = 1e-12;
 // free + sum of loads along the chosen normals such that n_i.a = b_i for each; false if the normals are dependent or a
 // surface would have to pull.
 template <int N>
-bool solveActive(const Vector3d& free, const AccelerationBounds& bounds, const std::array<std::size_t, 3>& active,
+bool solveActive(const Vector3d& free, AccelerationBounds& bounds, const std::array<std::size_t, 3>& active,
                  Vector3d& a)
 {
   Eigen::Matrix<double, 3, N> n;
@@ -26,6 +26,8 @@ bool solveActive(const Vector3d& free, const AccelerationBounds& bounds, const s
   if (gram.determinant() < kRounding) return false;
   const Eigen::Matrix<double, N, 1> load = gram.inverse() * missing;
   if ((load.array() < 0.0).any()) return false;
+  bounds.load.fill(0.0);
+  for (int i = 0; i < N; ++i) bounds.load[active[i]] = load[i];
   a = free + n * load;
   return true;
 }
@@ -37,12 +39,13 @@ bool respectsAll(const Vector3d& a, const AccelerationBounds& bounds, double sla
   return true;
 }
 
-bool solveActive(const Vector3d& free, const AccelerationBounds& bounds, const std::array<std::size_t, 3>& active,
-                 int count, Vector3d& a)
+bool solveActive(const Vector3d& free, AccelerationBounds& bounds, const std::array<std::size_t, 3>& active, int count,
+                 Vector3d& a)
 {
   switch (count)
   {
     case 0:
+      bounds.load.fill(0.0);
       a = free;
       return true;
     case 1:
@@ -108,6 +111,7 @@ Vector3d constrainedAcceleration(const Vector3d& free, AccelerationBounds& bound
       return a;
     } while (nextChoice(active, count, bounds.count));
   }
+  bounds.load.fill(0.0);
   bounds.loaded.fill(true);  // wedged: no acceleration respects all; stay with the least bad one
   return Vector3d::Zero();
 }

@@ -30,6 +30,11 @@ std::string refusePose(const Pose& pose)
   if (!(std::abs(pose.q.norm() - 1.0) < 1e-6)) return "orientation: expected a quaternion of length 1";
   return {};
 }
+BallState normalized(BallState state)
+{
+  state.q_WB.normalize();
+  return state;
+}
 }  // namespace
 
 struct World::Impl : WorldState
@@ -45,6 +50,7 @@ struct World::Impl : WorldState
   void runMethod(double end);
   void plan();
   void letGo(std::size_t body);
+  void makeRoom();
 };
 
 void World::Impl::start()
@@ -63,7 +69,8 @@ void World::Impl::start()
     placeBody(record, body.pose);
     bodies.push_back(record);
   }
-  for (const SceneBall& ball : scene.balls) add(ball.params, ball.state);
+  for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
+  if (scene.method == Method::Exact) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
   plan();
 }
 
@@ -72,7 +79,7 @@ BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
   BallRecord ball;
   ball.id = next_id++;
   ball.params = params;
-  ball.path = fly(state, time, Forces());
+  ball.path = flyParabola(state, time, Vector3d::Zero());
   balls.push_back(ball);
   return balls.back();
 }
@@ -144,6 +151,22 @@ void World::Impl::runMethod(double end)
     runFixedStep(*this, end);
 }
 
+// After a body has jumped: balls that it covers are put on its surface, and push on others in turn. Whoever finds no room
+// is squeezed.
+void World::Impl::makeRoom()
+{
+  for (std::size_t i = 0; i < balls.size(); ++i)
+  {
+    BallState state = balls[i].stateAt(time);
+    if (describeOverlap(*this, state.p_WB, balls[i].params.radius, i).empty()) continue;
+    const bool room = pushOut(*this, state.p_WB, balls[i].params.radius, i);
+    if (room)
+      balls[i].path = flyParabola(state, time, Vector3d::Zero());
+    else
+      squeeze(balls[i], state, time);
+  }
+}
+
 // Balls on this body look anew for what carries them.
 void World::Impl::letGo(std::size_t body)
 {
@@ -170,6 +193,7 @@ StepStatus World::advance(double duration)
   Impl& world = *impl_;
   world.contacts.clear();
   world.status = StepStatus();
+  if (!(duration > 0.0) || !std::isfinite(duration)) return world.status;
   const double end = world.later(duration);
   while (world.time < end)
   {
@@ -243,7 +267,7 @@ Totals World::totals() const
     const double m = ball.params.mass;
     const double r = ball.params.radius;
     sum.kinetic += 0.5 * m * state.v_WB.squaredNorm();
-    sum.rotational += 0.5 * (2.0 / 3.0 * m * r * r) * state.w_WB.squaredNorm();
+    sum.rotational += 0.5 * (ball.params.inertia * m * r * r) * state.w_WB.squaredNorm();
     sum.potential -= m * impl_->scene.forces.gravity.dot(state.p_WB);
     sum.momentum += m * state.v_WB;
   }
@@ -275,7 +299,7 @@ Refusal World::spawnBall(const BallParams& params, const BallState& state, BallI
   if (!reason.empty()) return {reason};
   reason = describeOverlap(*impl_, state.p_WB, params.radius);
   if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
-  const BallRecord& ball = impl_->add(params, state);
+  const BallRecord& ball = impl_->add(params, normalized(state));
   if (id) *id = ball.id;
   impl_->plan();
   return {};
@@ -301,7 +325,7 @@ Refusal World::setBallState(BallId id, const BallState& state)
   if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
   ball.squeezed = false;
   ball.supports = Supports();
-  ball.path = fly(state, impl_->time, Forces());
+  ball.path = flyParabola(normalized(state), impl_->time, Vector3d::Zero());
   impl_->plan();
   return {};
 }
@@ -315,13 +339,7 @@ Refusal World::setBodyPose(std::size_t body, const Pose& pose)
   record.command = PaddleCommand();
   placeBody(record, {pose.p, pose.q.normalized()});
   impl_->letGo(body);
-  for (BallRecord& ball : impl_->balls)
-  {
-    BallState state = ball.stateAt(impl_->time);
-    const Vector3d before = state.p_WB;
-    ball.squeezed = !pushOut(*impl_, state.p_WB, ball.params.radius, impl_->time);
-    if (state.p_WB != before) ball.path = fly(state, impl_->time, Forces());
-  }
+  impl_->makeRoom();
   impl_->plan();
   return {};
 }

@@ -30,6 +30,14 @@ struct Event
   unsigned version = 0;       ///< of the other when this was foreseen: another one makes it void
 };
 
+/// A shape whose contacts are not looked for until a time: the next face of a plane that the ball slides over.
+struct Passing
+{
+  std::size_t body = kNone;
+  std::size_t shape = kNone;
+  double until = 0.0;  ///< [s]
+};
+
 struct BallRecord
 {
   BallId id = 0;
@@ -37,12 +45,14 @@ struct BallRecord
   Segment path;
   Supports supports;
   bool squeezed = false;
+  double step = 0.0;  ///< length of the next piece of flight through air, 0: unknown [s]
   Event next;         ///< with still bodies and balls; holds until the path changes
   Event next_moving;  ///< with moving bodies; holds for this window
   unsigned version = 0;
   int streak = 0;                ///< contacts in quick succession, see exact_method.cpp
-  int body_streak = 0;           ///< the same, since the last contact with a ball
+  int crush = 0;                 ///< contacts in even quicker succession
   double last_contact = -1e300;  ///< [s]
+  Passing passing;
 
   BallState stateAt(double time) const { return path.state(time - path.start); }
 };

@@ -1,0 +1,154 @@
+#include "held_motion.h"
+
+#include <cmath>
+
+namespace ping_pong
+{
+namespace
+{
+// Slip below this is none [m/s].
+constexpr double kNoSlip = 1e-12;
+// On several rough surfaces at once friction grows with the slip up to this, and is full beyond [m/s].
+constexpr double kSoftSlip = 1e-3;
+
+Vector3d tangential(const Vector3d& x, const Vector3d& n)
+{
+  return x - n.dot(x) * n;
+}
+
+Vector3d normalOf(const Place& place, const Vector3d& p_WB)
+{
+  return place.frame.R_WB *
+         proximity(place.shape, place.frame.R_WB.transpose() * (p_WB - place.frame.p_WB)).normal;
+}
+
+Vector3d limited(const Vector3d& f, double most)
+{
+  const double norm = f.norm();
+  return norm > most ? Vector3d(most / norm * f) : f;
+}
+
+// Acceleration of the material point of the surface at the contact.
+Vector3d pointAcceleration(const BodyFrame& frame, const Vector3d& p_WC)
+{
+  const Vector3d d = p_WC - frame.p_WB;
+  return frame.a_WB + frame.alpha_WB.cross(d) + frame.w_WB.cross(frame.w_WB.cross(d));
+}
+
+// A force per mass f at the touching point also turns the ball.
+void push(HeldMotion& motion, const BallParams& ball, const Vector3d& n, const Vector3d& f)
+{
+  motion.a += f;
+  motion.alpha -= n.cross(f) / (ball.inertia * ball.radius);
+}
+
+// Resistance to rolling and to spin about the normal; both end at zero speed, which `until_grip` tells.
+void resist(HeldMotion& motion, const Place& place, const BallParams& ball, const BallState& state, const Vector3d& n,
+            double load)
+{
+  const Vector3d v =
+      tangential(state.v_WB - place.frame.pointVelocity(state.p_WB - ball.radius * n), n);
+  const double speed = v.norm();
+  if (place.law.rolling_resistance > 0.0 && speed > kNoSlip)
+  {
+    const Vector3d a = -place.law.rolling_resistance * load / speed * v;
+    motion.a += a;
+    motion.alpha += n.cross(a) / ball.radius;  // rolling stays rolling
+    motion.until_grip = std::min(motion.until_grip, speed / a.norm());
+  }
+  const double spin = n.dot(state.w_WB);
+  if (place.law.spin_friction > 0.0 && std::abs(spin) > kNoSlip)
+  {
+    const double rate = place.law.spin_friction * load / (ball.inertia * ball.radius);
+    motion.alpha -= std::copysign(rate, spin) * n;
+    motion.until_grip = std::min(motion.until_grip, std::abs(spin) / rate);
+  }
+}
+
+void rubOnOne(HeldMotion& motion, const Place& place, const BallParams& ball, const BallState& state, double load,
+              double grip_time)
+{
+  const Vector3d n = normalOf(place, state.p_WB);
+  const Vector3d slip = slipOver(place, ball, state);
+  const double speed = slip.norm();
+  const double give = 1.0 + 1.0 / ball.inertia;  // slip changes by this times the friction
+  const Vector3d p_WC = state.p_WB - ball.radius * n;
+  const Vector3d drift = tangential(motion.a - pointAcceleration(place.frame, p_WC), n);
+  const double most = place.law.friction * load;
+  const bool slides = speed > kNoSlip && speed > most * give * grip_time;
+  const Vector3d stop = grip_time > 0.0 ? Vector3d(slip / grip_time) : Vector3d(Vector3d::Zero());
+  const Vector3d f = slides ? Vector3d(-most / speed * slip) : limited(-(drift + stop) / give, most);
+  push(motion, ball, n, f);
+  if (slides)
+  {
+    const double loss = -slip.dot(drift + give * f) / speed;  // of slip per time
+    if (loss > 0.0) motion.until_grip = speed / loss;
+  }
+  else
+    resist(motion, place, ball, state, n, load);
+}
+}  // namespace
+
+Place placeOf(const WorldState& world, const BallRecord& ball, std::size_t support, double t)
+{
+  const Supports::Surface& surface = ball.supports.list[support];
+  const BodyRecord& body = world.bodies[surface.body];
+  const Shape& shape = body.shapes()[surface.shape];
+  return {shape, world.surface(ball, shape), frameAt(body.frame(), t - body.frame().start)};
+}
+
+Vector3d slipOver(const Place& place, const BallParams& ball, const BallState& state)
+{
+  const Vector3d n = normalOf(place, state.p_WB);
+  const Vector3d u = place.frame.pointVelocity(state.p_WB - ball.radius * n);
+  return tangential(state.v_WB - u, n) - ball.radius * state.w_WB.cross(n);
+}
+
+Vector3d smoothAcceleration(const WorldState& world, const BallRecord& ball, const BallState& state, double t,
+                            AccelerationBounds& bounds)
+{
+  bounds.count = ball.supports.count;
+  for (std::size_t i = 0; i < ball.supports.count; ++i)
+  {
+    const Place place = placeOf(world, ball, i, t);
+    bounds.list[i].n = normalOf(place, state.p_WB);
+    bounds.list[i].b = -gapAcceleration(place.shape, place.frame, state.p_WB, state.v_WB, Vector3d::Zero());
+  }
+  const FlightModel model(world.scene.forces, ball.params);
+  return constrainedAcceleration(model.acceleration(state.v_WB, state.w_WB), bounds);
+}
+
+HeldMotion heldMotion(const WorldState& world, const BallRecord& ball, const BallState& state, double t,
+                      double grip_time, AccelerationBounds& bounds)
+{
+  HeldMotion motion;
+  motion.a = smoothAcceleration(world, ball, state, t, bounds);
+  const FlightModel model(world.scene.forces, ball.params);
+  Vector3d rubbed = model.acceleration(state.v_WB, state.w_WB);
+  std::size_t loaded = 0;
+  bool rough = false;
+  for (std::size_t i = 0; i < bounds.count; ++i)
+  {
+    if (bounds.load[i] <= 0.0) continue;
+    ++loaded;
+    rough |= placeOf(world, ball, i, t).law.friction > 0.0;
+  }
+  if (!rough) return motion;
+  for (std::size_t i = 0; i < bounds.count; ++i)
+  {
+    if (bounds.load[i] <= 0.0) continue;
+    const Place place = placeOf(world, ball, i, t);
+    if (loaded == 1)
+    {
+      rubOnOne(motion, place, ball.params, state, bounds.load[i], grip_time);
+      return motion;
+    }
+    const Vector3d slip = slipOver(place, ball.params, state);
+    const Vector3d f = -place.law.friction * bounds.load[i] / std::max(slip.norm(), kSoftSlip) * slip;
+    rubbed += f;
+    push(motion, ball.params, bounds.list[i].n, f);
+  }
+  motion.a = constrainedAcceleration(rubbed, bounds);  // friction on one surface presses on the others
+  return motion;
+}
+}  // namespace ping_pong
