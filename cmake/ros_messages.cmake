@@ -26,6 +26,7 @@ add_message_files(FILES
 )
 add_service_files(FILES
   DeleteBall.srv
+  Launch.srv
   LoadScene.srv
   SetBallState.srv
   SetBodyPose.srv

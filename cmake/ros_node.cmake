@@ -1,11 +1,13 @@
 # The node, and where everything goes on `install`.
 add_library(${PROJECT_NAME}_ros
+  src/ros/ball_feed.cpp
   src/ros/ball_markers.cpp
   src/ros/body_markers.cpp
   src/ros/command_mailbox.cpp
   src/ros/contact_flashes.cpp
   src/ros/conversions.cpp
   src/ros/job_queue.cpp
+  src/ros/launching.cpp
   src/ros/marker_publisher.cpp
   src/ros/node_params.cpp
   src/ros/paddle_control.cpp

@@ -21,6 +21,8 @@ foreach(name
     examples
     flat_out
     latency
+    launch
+    feed
     parameters
     real_time
     refusals

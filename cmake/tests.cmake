@@ -32,6 +32,7 @@ endfunction()
 
 foreach(name
     scene_loader
+    shipped_scenes
     urdf_loader
     simulate
     paddle_drive
@@ -50,6 +51,7 @@ foreach(name
     resting
     over_the_edge
     squeeze
+    shots
 )
   add_core_test(${name})
 endforeach()

@@ -15,6 +15,9 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// Of Scene::tolerance [m]. Below, rounding is larger; above, it would not mean much.
+constexpr double kMinTolerance = 1e-12, kMaxTolerance = 0.1;
+
 struct LoadOptions
 {
   std::uint64_t seed = 0;   ///< of the scene's random patterns

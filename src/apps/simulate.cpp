@@ -45,6 +45,7 @@ Scene prepareScene(const SimulateOptions& options)
   Scene scene = loadScene(options.scene_path, load_options);
   if (options.method) scene.method = *options.method;
   if (options.dt) scene.dt = *options.dt;
+  if (options.tolerance) scene.tolerance = *options.tolerance;
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #include <getopt.h>
 
 #include "../core/text_input.h"
+#include "ping_pong_sim/scene_loader.h"
 
 namespace ping_pong
 {
@@ -13,8 +14,9 @@ constexpr double kMaxRows = 1e12;  ///< far beyond any disk, and rows stay exact
 const option kOptions[] = {
     {"duration", required_argument, nullptr, 'd'}, {"rate", required_argument, nullptr, 'r'},
     {"method", required_argument, nullptr, 'm'},   {"dt", required_argument, nullptr, 't'},
-    {"seed", required_argument, nullptr, 's'},     {"contacts", required_argument, nullptr, 'c'},
-    {"help", no_argument, nullptr, 'h'},           {nullptr, 0, nullptr, 0},
+    {"tolerance", required_argument, nullptr, 'e'}, {"seed", required_argument, nullptr, 's'},
+    {"contacts", required_argument, nullptr, 'c'}, {"help", no_argument, nullptr, 'h'},
+    {nullptr, 0, nullptr, 0},
 };
 
 [[noreturn]] void fail(const std::string& option, const std::string& value, const std::string& expected)
@@ -26,6 +28,14 @@ double positive(const std::string& option, const std::string& text)
 {
   double number = 0.0;
   if (!parseNumber(text, number) || !(number > 0.0)) fail(option, text, "a finite number > 0");
+  return number;
+}
+
+double toleranceFrom(const std::string& text)
+{
+  double number = 0.0;
+  if (!parseNumber(text, number) || !(number >= kMinTolerance && number <= kMaxTolerance))
+    fail("--tolerance", text, rangeText(kMinTolerance, kMaxTolerance));
   return number;
 }
 
@@ -70,6 +80,9 @@ void apply(int letter, const std::string& value, const std::string& word, Simula
     case 't':
       options.dt = positive("--dt", value);
       break;
+    case 'e':
+      options.tolerance = toleranceFrom(value);
+      break;
     case 's':
       options.seed = seedFrom(value);
       break;
@@ -102,6 +115,7 @@ const char* const kSimulateHelp =
     "  --rate R          rows per second and ball [Hz], default 100; row k is at k / R\n"
     "  --method M        instead of the scene's: euler_explicit, euler_semi_implicit, exact\n"
     "  --dt H            longest step of the fixed-step methods [s], instead of the scene's\n"
+    "  --tolerance E     position error that `exact` may have after a rally [m], instead of the scene's\n"
     "  --seed N          of random patterns, instead of the scene's\n"
     "  --contacts FILE   writes each impact as CSV to FILE\n"
     "  --help            this text\n"

@@ -24,6 +24,7 @@ struct SimulateOptions
   double rate = 100.0;                ///< rows per simulated second and ball [Hz]
   std::optional<Method> method;       ///< instead of the scene's
   std::optional<double> dt;           ///< instead of the scene's [s]
+  std::optional<double> tolerance;    ///< instead of the scene's [m]
   std::optional<std::uint64_t> seed;  ///< instead of the scene's
   std::string contacts_path;          ///< empty: contacts are not written
   bool help = false;

@@ -15,7 +15,7 @@ constexpr double kKeepGap = 1e-6;        // a support is left from further than 
 constexpr double kStillSpeed = 1e-12;    // below: rounding, the ball lies still [m/s]
 constexpr double kStillFraction = 1e-12; // tangential acceleration below this part of the free one is rounding
 constexpr double kPiece = 2.5e-4;        // longest quintic piece on a curved or turning surface [s]
-constexpr double kFlatPiece = 2e-3;      // and on flat ones, where only air and turning slip bend the path [s]
+constexpr double kFlatPiece = 2e-3;      // and on one flat face, where only air and turning slip bend the path [s]
 constexpr int kProjections = 8;
 constexpr double kShortestPiece = 1e-9;  // [s]
 
@@ -160,7 +160,7 @@ void hermite(const BallState& from, const Vector3d& a0, const BallState& to, con
 void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallState& state, const HeldMotion& motion,
                  double t, double window_end, Segment& path)
 {
-  double h = allFlatAndNotTurning(world, ball, state, t) ? kFlatPiece : kPiece;
+  double h = ball.supports.count == 1 && allFlatAndNotTurning(world, ball, state, t) ? kFlatPiece : kPiece;
   if (motion.until_grip > kShortestPiece) h = std::min(h, motion.until_grip);
   if (onMovingBody(world, ball.supports) && window_end > t) h = std::min(h, window_end - t);
   BallState end = heldStep(world, ball, state, t, h);
@@ -189,6 +189,7 @@ double timeOfRemainingBounces(double rate, double press, double restitution)
 void planPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
 {
   ++ball.version;
+  ball.passing = Passing();
   HeldMotion motion;
   if (!ball.supports.none())
   {

@@ -72,9 +72,9 @@ struct Points
 };
 
 // Errors seen are this part of the last coefficient's share, times a reserve of ten.
-constexpr double kShareOfLast = 0.03;
+constexpr double kShareOfLast = 1e-2;
 constexpr int kMaxSweeps = 40;
-constexpr double kLongestPiece = 0.25;  // [s]
+constexpr double kLongestPiece = 1.0;  // [s]
 
 // One piece of length h; false if the share of the last Legendre coefficient in the position is above the tolerance. What is
 // left out is smaller, and smaller still at the end of the piece, where Gauss points are of order 2 N: pieces join without

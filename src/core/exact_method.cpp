@@ -26,7 +26,6 @@ constexpr double kTouchSpeed = 1e-9;   // slower is no impact [m/s]
 constexpr double kSqueezeGap = 2e-5;   // room left to a ball that counts as squeezed [m]
 constexpr double kOpposed = -0.999;    // cosine between normals of squeezing surfaces
 constexpr double kSameNormal = 1e-9;   // 1 - cosine between normals of faces that continue each other
-constexpr double kPassTime = 1e-6;     // a seam between such faces is passed in this time [s]
 constexpr std::size_t kEventsPerAdvance = 1000000;
 constexpr std::size_t kEventsPerBall = 10000;
 
@@ -152,7 +151,7 @@ void hitBody(WorldState& world, std::size_t i, const Event& event, double t, dou
   const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
   if (passesSeam(world, ball, state, gap, t))
   {
-    ball.passing = {event.other, event.shape, t + kPassTime};
+    ball.passing = {event.other, event.shape, ball.path.end};  // a convex shape stays below its tangent plane
     return foreseeAll(world, i, t, window_end);
   }
   const Vector3d u = frame.pointVelocity(state.p_WB - ball.params.radius * gap.n_W);

@@ -10,6 +10,7 @@ namespace
 constexpr double kNoSlip = 1e-12;
 // On several rough surfaces at once friction grows with the slip up to this, and is full beyond [m/s].
 constexpr double kSoftSlip = 1e-3;
+constexpr double kStep = 2.5e-4;  // longest step on several rough surfaces [s]
 
 Vector3d tangential(const Vector3d& x, const Vector3d& n)
 {
@@ -134,6 +135,8 @@ HeldMotion heldMotion(const WorldState& world, const BallRecord& ball, const Bal
     rough |= placeOf(world, ball, i, t).law.friction > 0.0;
   }
   if (!rough) return motion;
+  // Friction must not turn the slip round within a step of the integration.
+  const double fastest = 0.5 / ((1.0 + 1.0 / ball.params.inertia) * (grip_time > 0.0 ? grip_time : kStep));
   for (std::size_t i = 0; i < bounds.count; ++i)
   {
     if (bounds.load[i] <= 0.0) continue;
@@ -144,7 +147,8 @@ HeldMotion heldMotion(const WorldState& world, const BallRecord& ball, const Bal
       return motion;
     }
     const Vector3d slip = slipOver(place, ball.params, state);
-    const Vector3d f = -place.law.friction * bounds.load[i] / std::max(slip.norm(), kSoftSlip) * slip;
+    const double rate = place.law.friction * bounds.load[i] / std::max(slip.norm(), kSoftSlip);
+    const Vector3d f = -std::min(rate, fastest) * slip;
     rubbed += f;
     push(motion, ball.params, bounds.list[i].n, f);
   }

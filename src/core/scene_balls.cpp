@@ -9,13 +9,24 @@ namespace ping_pong
 {
 namespace
 {
-const std::vector<std::string> kSingleKeys = {"position", "velocity", "spin", "radius", "mass", "color", "material"};
+const std::vector<std::string> kSingleKeys = {"position", "velocity", "spin", "radius", "mass", "inertia",
+                                              "color", "material"};
+
+/// I / (m r^2)
+double readInertia(const Field& field)
+{
+  const std::string kind = field.text();
+  if (kind == "shell") return kShellInertia;
+  if (kind == "solid") return kSolidInertia;
+  field.fail("shell or solid");
+}
 
 /// Keys that all three ways to list balls have in common.
 void readParams(const Map& map, Scene& scene, BallGroup& group)
 {
   if (const Field* f = map.find("radius")) group.params.radius = f->positive();
   if (const Field* f = map.find("mass")) group.params.mass = f->positive();
+  if (const Field* f = map.find("inertia")) group.params.inertia = readInertia(*f);
   if (const Field* f = map.find("color")) group.palette = readPalette(*f);
   const Field* material = map.find("material");
   group.params.material =
@@ -48,8 +59,8 @@ Vector3d readSpacing(const Field& field)
 
 BallGroup readGrid(const Field& field, Scene& scene)
 {
-  const Map map(field, {"count", "spacing", "origin", "jitter", "seed", "velocity", "spin", "radius", "mass", "color",
-                        "material"});
+  const Map map(field, {"count", "spacing", "origin", "jitter", "seed", "velocity", "spin", "radius", "mass", "inertia",
+                        "color", "material"});
   const Field& origin = map.at("origin", "the centre [x, y, z] of the first ball");
   BallGroup group(origin);
   group.origin = origin.vector();
@@ -66,7 +77,8 @@ BallGroup readGrid(const Field& field, Scene& scene)
 
 BallGroup readRandom(const Field& field, Scene& scene)
 {
-  const Map map(field, {"count", "min", "max", "seed", "speed", "spin", "radius", "mass", "color", "material"});
+  const Map map(field, {"count", "min", "max", "seed", "speed", "spin", "radius", "mass", "inertia",
+                        "color", "material"});
   const Field& count = map.at("count", "the number of balls");
   BallGroup group(count);
   group.random = true;

@@ -6,6 +6,7 @@
 #include "materials.h"
 #include "scene_balls.h"
 #include "scene_bodies.h"
+#include "scene_forces.h"
 #include "scene_surfaces.h"
 #include "yaml_reader.h"
 
@@ -13,21 +14,6 @@ namespace ping_pong
 {
 namespace
 {
-/// A number points down; a vector points where it says.
-Vector3d readGravity(const Field& field)
-{
-  if (field.isList()) return field.vector();
-  return {0.0, 0.0, 0.0 - field.notNegative()};  // not -x: that would make a zero negative
-}
-
-Forces readForces(const Field& field)
-{
-  const Map map(field, {"gravity"});
-  Forces forces;
-  if (const Field* f = map.find("gravity")) forces.gravity = readGravity(*f);
-  return forces;
-}
-
 Method readMethod(const Field& field)
 {
   const std::string text = field.text();
@@ -45,7 +31,8 @@ Method readMethod(const Field& field)
 
 Scene loadScene(const std::string& path, const LoadOptions& options)
 {
-  const Map map(readYaml(path), {"name", "forces", "floor", "bodies", "balls", "surfaces", "method", "dt"});
+  const Map map(readYaml(path), {"name", "forces", "floor", "bodies", "balls", "surfaces", "method", "dt",
+                                  "tolerance"});
   Scene scene;
   scene.path = path;
   scene.name = std::filesystem::path(path).stem().string();
@@ -54,6 +41,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options)
   if (const Field* f = map.find("forces")) scene.forces = readForces(*f);
   if (const Field* f = map.find("method")) scene.method = readMethod(*f);
   if (const Field* f = map.find("dt")) scene.dt = f->positive();
+  if (const Field* f = map.find("tolerance")) scene.tolerance = f->within(kMinTolerance, kMaxTolerance);
   readBodies(map, scene);
   readBalls(map, options, scene);
   readSurfaces(map, scene);

@@ -1,6 +1,7 @@
 #include "scene_surfaces.h"
 
 #include "materials.h"
+#include "presets.h"
 
 namespace ping_pong
 {
@@ -24,14 +25,49 @@ std::string readPairMember(const Field& field, const std::vector<std::string>& m
   return name;
 }
 
+Surface readPreset(const Field& field)
+{
+  if (const SurfacePreset* preset = findSurfacePreset(field.text())) return preset->surface;
+  field.fail("one of " + surfacePresetNames());
+}
+
+/// What only rubs where friction can hold the ball.
+const Field* findRough(const Map& map, const char* key, const Surface& surface)
+{
+  const Field* field = map.find(key);
+  if (field != nullptr && surface.friction == 0.0) field->fail("it only beside a friction > 0");
+  return field;
+}
+
+Surface readLaw(const Map& map)
+{
+  Surface surface;
+  surface.restitution = map.at("restitution", "a number from 0 to 1, or a preset").fraction();
+  if (const Field* f = map.find("restitution_slope")) surface.restitution_slope = f->notNegative();
+  if (const Field* f = map.find("friction")) surface.friction = f->notNegativeOrInfinite();
+  if (const Field* f = findRough(map, "tangential_restitution", surface))
+    surface.tangential_restitution = f->within(-1.0, 1.0);
+  if (const Field* f = findRough(map, "rolling_resistance", surface)) surface.rolling_resistance = f->notNegative();
+  if (const Field* f = findRough(map, "spin_friction", surface)) surface.spin_friction = f->notNegative();
+  return surface;
+}
+
+/// A preset stands alone: an entry that changed a part of it would no longer be what its name says.
+Surface readSurface(const Map& map)
+{
+  const Field* preset = map.find("preset");
+  if (preset == nullptr) return readLaw(map);
+  Map(map.field(), {"pair", "preset"});
+  return readPreset(*preset);
+}
+
 Rule readRule(const Field& field, const std::vector<std::string>& materials)
 {
-  const Map map(field, {"pair", "restitution"});
+  const Map map(field, {"pair", "preset", "restitution", "restitution_slope", "friction", "tangential_restitution",
+                        "rolling_resistance", "spin_friction"});
   const Field& pair = map.at("pair", "two materials [a, b]");
   const std::vector<Field> members = pair.list(2, "two materials [a, b]");
-  Rule rule{pair, readPairMember(members[0], materials), readPairMember(members[1], materials), {}};
-  rule.surface.restitution = map.at("restitution", "a number from 0 to 1").fraction();
-  return rule;
+  return {pair, readPairMember(members[0], materials), readPairMember(members[1], materials), readSurface(map)};
 }
 
 bool samePair(const Rule& a, const Rule& b)

@@ -104,6 +104,14 @@ bool parseNumbers(const std::string& text, std::size_t count, std::vector<double
   return true;
 }
 
+std::string rangeText(double low, double high)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "a number from " << low << " to " << high;
+  return text.str();
+}
+
 std::string joined(const std::vector<std::string>& words)
 {
   std::string text;

@@ -28,6 +28,9 @@ bool parseInteger(const std::string& text, std::uint64_t& number);
 /// Exactly `count` numbers with spaces between them.
 bool parseNumbers(const std::string& text, std::size_t count, std::vector<double>& numbers);
 
+/// "a number from LOW to HIGH"
+std::string rangeText(double low, double high);
+
 /// "a, b, c"
 std::string joined(const std::vector<std::string>& words);
 }  // namespace ping_pong

@@ -30,7 +30,7 @@ struct Event
   unsigned version = 0;       ///< of the other when this was foreseen: another one makes it void
 };
 
-/// A shape whose contacts are not looked for until a time: the next face of a plane that the ball slides over.
+/// A shape whose contacts are not looked for on this path: it continues a face that the ball slides over.
 struct Passing
 {
   std::size_t body = kNone;

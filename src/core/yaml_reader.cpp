@@ -69,6 +69,11 @@ bool Field::plain() const
   return node_.IsScalar() && node_.Tag() != "!";
 }
 
+bool Field::infinite() const
+{
+  return plain() && (node_.Scalar() == ".inf" || node_.Scalar() == "+.inf");
+}
+
 std::string Field::value() const
 {
   if (node_.IsScalar()) return node_.Scalar();
@@ -110,8 +115,7 @@ double Field::positive() const
 
 double Field::positiveOrInfinite() const
 {
-  if (plain() && (node_.Scalar() == ".inf" || node_.Scalar() == "+.inf"))
-    return std::numeric_limits<double>::infinity();
+  if (infinite()) return std::numeric_limits<double>::infinity();
   double number = 0.0;
   if (!plain() || !parseNumber(node_.Scalar(), number) || !(number > 0.0)) fail("a number > 0 or .inf");
   return number;
@@ -124,12 +128,32 @@ double Field::notNegative() const
   return number;
 }
 
+double Field::notNegativeOrInfinite() const
+{
+  if (infinite()) return std::numeric_limits<double>::infinity();
+  double number = 0.0;
+  if (!plain() || !parseNumber(node_.Scalar(), number) || !(number >= 0.0)) fail("a number >= 0 or .inf");
+  return number;
+}
+
 double Field::fraction() const
 {
+  return within(0.0, 1.0);
+}
+
+double Field::within(double low, double high) const
+{
   double number = 0.0;
-  if (!plain() || !parseNumber(node_.Scalar(), number) || !(number >= 0.0 && number <= 1.0))
-    fail("a number from 0 to 1");
+  if (!plain() || !parseNumber(node_.Scalar(), number) || !(number >= low && number <= high))
+    fail(rangeText(low, high));
   return number;
+}
+
+bool Field::boolean() const
+{
+  const std::string text = plain() ? node_.Scalar() : "";
+  if (text != "true" && text != "false") fail("true or false");
+  return text == "true";
 }
 
 std::uint64_t Field::integer() const

@@ -18,15 +18,18 @@ class Field
 public:
   Field(YAML::Node node, FileLine at, std::string key);
 
-  std::string text() const;           ///< not empty
-  double number() const;              ///< finite
-  double positive() const;            ///< finite, > 0
-  double positiveOrInfinite() const;  ///< > 0, .inf allowed
-  double notNegative() const;         ///< finite, >= 0
-  double fraction() const;            ///< 0 to 1
-  std::uint64_t integer() const;      ///< >= 0
-  std::size_t count() const;          ///< 1 to kMaxCount
-  Vector3d vector() const;            ///< [x, y, z], finite
+  std::string text() const;                      ///< not empty
+  double number() const;                         ///< finite
+  double positive() const;                       ///< finite, > 0
+  double positiveOrInfinite() const;             ///< > 0, .inf allowed
+  double notNegative() const;                    ///< finite, >= 0
+  double notNegativeOrInfinite() const;          ///< >= 0, .inf allowed
+  double fraction() const;                       ///< 0 to 1
+  double within(double low, double high) const;  ///< ends included
+  bool boolean() const;                          ///< true or false
+  std::uint64_t integer() const;                 ///< >= 0
+  std::size_t count() const;                     ///< 1 to kMaxCount
+  Vector3d vector() const;                       ///< [x, y, z], finite
   std::vector<Field> list() const;
   std::vector<Field> list(std::size_t size, const std::string& expected) const;
 
@@ -44,6 +47,7 @@ private:
   std::string value() const;
   Field item(const YAML::Node& node, std::size_t index) const;
   bool plain() const;  ///< an unquoted scalar: may be a number
+  bool infinite() const;
 
   YAML::Node node_;
   FileLine at_;

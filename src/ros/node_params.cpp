@@ -7,6 +7,7 @@
 
 #include "param_reader.h"
 #include "ping_pong_sim/scene_loader.h"
+#include "ping_pong_sim/shots.h"
 
 namespace ping_pong_sim
 {
@@ -27,6 +28,40 @@ bool isTimeout(double seconds)
 bool isStep(double seconds)
 {
   return seconds >= 0.0 && seconds <= 1.0;
+}
+
+bool isTolerance(double metres)
+{
+  return metres == 0.0 || (metres >= ping_pong::kMinTolerance && metres <= ping_pong::kMaxTolerance);
+}
+bool isPeriod(double seconds)
+{
+  return seconds >= 0.0 && std::isfinite(seconds);
+}
+bool isCount(double number)
+{
+  return number >= 1.0 && number <= 1e6 && number == std::floor(number);
+}
+
+FeedParams readFeed(const ros::NodeHandle& nh, ParamReader& reader, double tick)
+{
+  FeedParams feed;
+  feed.period = reader.number("feed_period", feed.period, isPeriod, "a time above 0 [s], or 0 (no feed)");
+  feed.shot = reader.text("feed_shot", feed.shot);
+  feed.keep = static_cast<std::size_t>(
+      reader.number("feed_keep", static_cast<double>(feed.keep), isCount, "a whole number from 1 to 1000000"));
+  if (feed.period > 0.0 && feed.period < tick)
+  {
+    throw ParamError("parameter " + nh.resolveName("feed_period") + ": " + std::to_string(feed.period) +
+                     ": expected at least one tick, 1 / publish_rate = " + std::to_string(tick) +
+                     " [s], or 0 (no feed)");
+  }
+  if (feed.shot != kRandomShot && ping_pong::findShot(feed.shot) == nullptr)
+  {
+    throw ParamError("parameter " + nh.resolveName("feed_shot") + ": " + feed.shot + ": expected one of " +
+                     ping_pong::shotNames() + ", or " + kRandomShot);
+  }
+  return feed;
 }
 
 void checkMethod(const ros::NodeHandle& nh, const std::string& method)
@@ -72,6 +107,9 @@ NodeParams readParams(const ros::NodeHandle& private_nh)
   p.rewind_clock = reader.flag("rewind_clock", p.rewind_clock);
   p.method = reader.text("method", p.method);
   p.dt = reader.number("dt", p.dt, isStep, "a step from 0 (the scene's own) to 1 [s]");
+  p.tolerance =
+      reader.number("tolerance", p.tolerance, isTolerance, "0 (the scene's own), or an error from 1e-12 to 0.1 [m]");
+  p.feed = readFeed(private_nh, reader, p.tick());
   checkMethod(private_nh, p.method);
   if (p.scene.empty())
   {
@@ -92,6 +130,7 @@ ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene
   ping_pong::Scene scene = ping_pong::loadScene(scenePath(params, scene_name));
   if (params.method != kMethodOfScene) scene.method = ping_pong::methodFromName(params.method);
   if (params.dt > 0.0) scene.dt = params.dt;
+  if (params.tolerance > 0.0) scene.tolerance = params.tolerance;
   checkNames(scene);
   return scene;
 }

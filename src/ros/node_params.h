@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "ball_feed.h"
 #include "ping_pong_sim/scene.h"
 
 namespace ping_pong_sim
@@ -23,7 +24,9 @@ struct NodeParams
   bool paused = false;            ///< at the start
   bool rewind_clock = false;      ///< ~reset also sets the clock back
   std::string method = kMethodOfScene;
-  double dt = 0.0;  ///< [s]; 0: the scene's
+  double dt = 0.0;         ///< [s]; 0: the scene's
+  double tolerance = 0.0;  ///< [m]; 0: the scene's
+  FeedParams feed;
 
   double tick() const { return 1.0 / publish_rate; }  ///< [s]
 };
@@ -34,6 +37,7 @@ NodeParams readParams(const ros::NodeHandle& private_nh);
 /// The file that `scene` means: itself if it looks like a path, else a name in the scene directory.
 std::string scenePath(const NodeParams& params, const std::string& scene);
 
-/// Loads a scene, applies ~method and ~dt, and checks that its names can be ROS names. Throws std::runtime_error.
+/// Loads a scene, applies ~method, ~dt and ~tolerance, and checks that its names can be ROS names. Throws
+/// std::runtime_error.
 ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene);
 }  // namespace ping_pong_sim

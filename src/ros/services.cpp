@@ -1,5 +1,6 @@
 #include "services.h"
 
+#include "launching.h"
 #include "ping_pong_sim/constants.h"
 
 namespace ping_pong_sim
@@ -13,12 +14,11 @@ void throwIf(const ping_pong::Refusal& refusal)
 
 ping_pong::MaterialId materialNamed(const ping_pong::Scene& scene, const std::string& wanted)
 {
-  const std::string name = wanted.empty() ? "ball" : wanted;
+  if (wanted.empty()) return ballMaterial(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
   {
-    if (scene.materials[i] == name) return static_cast<ping_pong::MaterialId>(i);
+    if (scene.materials[i] == wanted) return static_cast<ping_pong::MaterialId>(i);
   }
-  if (wanted.empty()) return scene.balls.empty() ? 0 : scene.balls.front().params.material;
   throw InputError("material: " + wanted + ": expected one that the scene knows");
 }
 
@@ -45,6 +45,19 @@ ping_pong::BallState stateOf(const ping_pong::Pose& X_WF, const ping_pong::Pose&
   const ping_pong::Twist twist_W = twistInWorld(X_WF, twist);
   return {X_WB.p, X_WB.q, twist_W.v, twist_W.w};
 }
+
+// What the request says, in its own frame and without scatter: a shot by name or by its vectors.
+ping_pong::Shot shotOf(const Launch::Request& request)
+{
+  ping_pong::Shot shot;
+  shot.p_TB = fromPoint(request.position, "position");
+  shot.v_TB = fromVector(request.velocity, "velocity");
+  shot.w_TB = fromVector(request.spin, "spin");
+  if (request.shot.empty()) return shot;
+  const ping_pong::Shot& named = shotNamed(request.shot);
+  if (shot.p_TB.isZero(0.0) && shot.v_TB.isZero(0.0) && shot.w_TB.isZero(0.0)) return named;
+  throw InputError("shot: " + request.shot + ": expected a name, or position, velocity and spin, not both");
+}
 }  // namespace
 
 Services::Services(ros::NodeHandle& nh, SimNode& node) : node_(node)
@@ -53,6 +66,7 @@ Services::Services(ros::NodeHandle& nh, SimNode& node) : node_(node)
   offer<std_srvs::Trigger>(nh, "reset", [this](auto&, auto&) { node_.reset(); });
   offer<Step>(nh, "step", [this](auto& request, auto& response) { node_.step(request.duration, response); });
   offer<SpawnBall>(nh, "spawn_ball", [this](auto& request, auto& response) { spawnBall(request, response); });
+  offer<Launch>(nh, "launch", [this](auto& request, auto& response) { launch(request, response); });
   offer<DeleteBall>(nh, "delete_ball", [this](auto& request, auto&) { deleteBall(request); });
   offer<SetBallState>(nh, "set_ball_state", [this](auto& request, auto&) { setBallState(request); });
   offer<SetBodyPose>(nh, "set_body_pose", [this](auto& request, auto&) { setBodyPose(request); });
@@ -99,6 +113,21 @@ void Services::spawnBall(const SpawnBall::Request& request, SpawnBall::Response&
   ping_pong::BallId id = 0;
   throwIf(world.spawnBall(paramsOf(world.scene(), request), state, &id));
   response.id = id;
+  node_.showJump();
+}
+
+void Services::launch(const Launch::Request& request, Launch::Response& response)
+{
+  ping_pong::World& world = node_.simulation().world();
+  const ping_pong::Shot shot = shotOf(request);
+  const double scatter = checkedNumber(request.scatter, "scatter");
+  if (scatter < 0.0 || scatter > 1.0)
+  {
+    throw InputError("scatter: " + std::to_string(scatter) + ": expected a part from 0 to 1");
+  }
+  const bool at_table = !request.shot.empty() && request.frame_id.empty();
+  const ping_pong::Pose X_WF = at_table ? tableFrame(world) : framePose(world, request.frame_id);
+  response.id = launchBall(world, X_WF, ping_pong::scattered(shot, scatter, request.seed));
   node_.showJump();
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ping_pong_sim/DeleteBall.h"
+#include "ping_pong_sim/Launch.h"
 #include "ping_pong_sim/LoadScene.h"
 #include "ping_pong_sim/SetBallState.h"
 #include "ping_pong_sim/SetBodyPose.h"
@@ -33,6 +34,7 @@ private:
              std::function<void(typename Service::Request&, typename Service::Response&)> action);
 
   void spawnBall(const SpawnBall::Request& request, SpawnBall::Response& response);
+  void launch(const Launch::Request& request, Launch::Response& response);
   void deleteBall(const DeleteBall::Request& request);
   void setBallState(const SetBallState::Request& request);
   void setBodyPose(const SetBodyPose::Request& request);

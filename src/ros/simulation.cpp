@@ -19,7 +19,11 @@ std::string warningOf(const ping_pong::StepStatus& status)
 
 Simulation::Simulation(const NodeParams& params, const ping_pong::Scene& scene, ros::NodeHandle& command_nh,
                        Rejections& rejections, const ros::Time& start)
-    : params_(params), command_nh_(command_nh), rejections_(rejections), clock_(start, params.tick())
+    : params_(params),
+      command_nh_(command_nh),
+      rejections_(rejections),
+      clock_(start, params.tick()),
+      feed_(params.feed)
 {
   load(scene);
 }
@@ -27,6 +31,7 @@ Simulation::Simulation(const NodeParams& params, const ping_pong::Scene& scene, 
 void Simulation::reset()
 {
   world_->reset();
+  feed_.restart();
   counters_ = {};
   for (const auto& paddle : paddles_) paddle->release(*world_);
   if (params_.rewind_clock) clock_.rewind();
@@ -62,6 +67,7 @@ void Simulation::load(const ping_pong::Scene& scene)
 {
   world_ = std::make_unique<ping_pong::World>(scene);  // throws before anything else is changed
   counters_ = {};
+  feed_.restart();
   paddles_.clear();
   const auto frames = std::make_shared<std::set<std::string>>();
   for (std::size_t i = 0; i < world_->bodyCount(); ++i) frames->insert(world_->body(i).name);
@@ -78,6 +84,7 @@ void Simulation::advance(double duration)
   for (const auto& paddle : paddles_) paddle->update(*world_, elapsed_);
   counters_.last = world_->advance(duration);
   elapsed_ += duration;
+  feed_.update(*world_, rejections_);
   counters_.contacts += world_->contacts().size();
   if (counters_.last.ok()) return;
   ++counters_.step_warnings;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ball_feed.h"
 #include "node_params.h"
 #include "paddle_control.h"
 #include "ping_pong_sim/world.h"
@@ -63,6 +64,7 @@ private:
   SimClock clock_;
   std::unique_ptr<ping_pong::World> world_;
   std::vector<std::unique_ptr<PaddleControl>> paddles_;
+  BallFeed feed_;
   Counters counters_;
   double elapsed_ = 0.0;
 };

@@ -54,6 +54,25 @@ method: euler_semi_implicit
 dt: 0.002
 )";
 
+// Every key that kScene has not.
+constexpr char kAirScene[] = R"(forces:
+  gravity: 9.81
+  air: {temperature: 20, altitude: 100, viscosity: 1.5e-5}
+  drag: {table: {reynolds: [1e4, 2e4], spin_ratio: [0, 0.5, 1], values: [[0.4, 0.5, 0.6], [0.3, 0.4, 0.7]]}}
+  magnus: {law: table, spin_ratio: [0.2, 0.4], values: [0.1, 0.3]}
+  buoyancy: true
+  added_mass: true
+  spin_decay: 0.15
+  wind: [1, -2, 0.5]
+floor: {}
+balls: [{position: [0, 0, 1], inertia: solid}]
+surfaces:
+  - {pair: [ball, any], restitution: 0.9, restitution_slope: 0.02, friction: .inf, tangential_restitution: -0.3,
+     rolling_resistance: 0.01, spin_friction: 0.002}
+  - {pair: [ball, floor], preset: table_match}
+tolerance: 1e-9
+)";
+
 class SceneLoader : public ::testing::Test
 {
 protected:
@@ -67,6 +86,7 @@ protected:
   {
     return loadScene(folder_.write("scene.yaml", text), options);
   }
+  Forces forcesOf(const std::string& text) const { return load(text).forces; }
   std::string errorOf(const std::string& text) const
   {
     return loadErrorOf([&] { load(text); });
@@ -266,6 +286,164 @@ TEST_F(SceneLoader, SaysThatAFileIsMissing)
   expectMessage(loadErrorOf([&] { loadScene("/dev/zero"); }), "/dev/zero:1: scene: larger than 16 MiB: ");
 }
 
+TEST_F(SceneLoader, ComputesNoForceThatIsNotListed)
+{
+  const Forces none = forcesOf("forces: {air: {density: 1}, wind: [1, 2, 3]}");
+  EXPECT_FALSE(none.drag || none.magnus || none.buoyancy || none.added_mass);
+  EXPECT_EQ(none.spin_decay, 0.0);
+  const Forces off = forcesOf("forces: {buoyancy: false, added_mass: false, spin_decay: 0}");
+  EXPECT_FALSE(off.drag || off.magnus || off.buoyancy || off.added_mass);
+}
+
+TEST_F(SceneLoader, ReadsForces)
+{
+  const Forces f = forcesOf("forces:\n  gravity: 9.81\n  air: {density: 1.1, viscosity: 1.6e-5}\n"
+                            "  drag: {coefficient: 0.5}\n  magnus: {law: saturating, slope: 2, saturation: 6}\n"
+                            "  buoyancy: true\n  added_mass: true\n  spin_decay: 0.15\n  wind: [1, -2, 0.5]\n");
+  EXPECT_EQ(f.air_density, 1.1);
+  EXPECT_EQ(f.air_viscosity, 1.6e-5);
+  EXPECT_TRUE(f.drag && f.magnus && f.buoyancy && f.added_mass);
+  EXPECT_EQ(f.drag_law.at(3e4, 0.2), 0.5);
+  EXPECT_EQ(f.lift_law.perSpinRatio(0.5), 2.0 / (1.0 + 6.0 * 0.5));
+  EXPECT_EQ(f.spin_decay, 0.15);
+  EXPECT_EQ(f.wind, Vector3d(1, -2, 0.5));
+}
+
+TEST_F(SceneLoader, ReadsEveryKeyOfAir)
+{
+  EXPECT_EQ(errorOf(kAirScene), "");
+}
+
+TEST_F(SceneLoader, ReadsLiftLaws)
+{
+  const auto lift = [&](const std::string& law, double S)
+  { return forcesOf("forces: {magnus: " + law + "}").lift_law.perSpinRatio(S) * S; };
+  EXPECT_EQ(lift("{law: linear, slope: 0.6}", 0.5), 0.3);
+  EXPECT_EQ(lift("{law: constant, coefficient: 0.25}", 0.5), 0.25);
+  const std::string table = "{law: table, spin_ratio: [0.2, 0.4], values: [0.1, 0.3]}";
+  EXPECT_NEAR(lift(table, 0.1), 0.05, 1e-16);  // one rounding
+  EXPECT_NEAR(lift(table, 0.3), 0.2, 1e-16);
+  EXPECT_NEAR(lift(table, 2.0), 0.3, 1e-16);
+}
+
+TEST_F(SceneLoader, ReadsADragTableRowByReynoldsNumber)
+{
+  const DragLaw law = forcesOf("forces: {drag: {table: {reynolds: [1e4, 2e4], spin_ratio: [0, 0.5, 1],\n"
+                               "  values: [[0.4, 0.5, 0.6], [0.3, 0.4, 0.7]]}}}")
+                          .drag_law;
+  EXPECT_EQ(law.at(0.0, 0.0), 0.4);
+  EXPECT_EQ(law.at(1e4, 1.0), 0.6);
+  EXPECT_EQ(law.at(2e4, 0.0), 0.3);
+  EXPECT_EQ(law.at(1e9, 9.0), 0.7);
+  EXPECT_NEAR(law.at(1.5e4, 0.25), 0.4, 1e-16);
+}
+
+TEST_F(SceneLoader, WorksOutTheAirFromTemperatureAndAltitude)
+{
+  const auto air = [&](const std::string& text) { return forcesOf("forces: {air: " + text + "}"); };
+  EXPECT_NEAR(air("{temperature: 20}").air_density, 1.2041, 1e-4);          // tables of dry air, 4 digits
+  EXPECT_NEAR(air("{temperature: 25}").air_density, 1.1839, 1e-4);
+  EXPECT_NEAR(air("{temperature: 5.25, altitude: 1500}").air_density, 1.0581, 2e-4);  // ICAO standard atmosphere
+  EXPECT_NEAR(air("{temperature: 20}").air_viscosity, 1.51e-5, 1e-7);       // sources differ by 1 %
+  EXPECT_EQ(air("{altitude: 800}").air_density, air("{temperature: 20, altitude: 800}").air_density);
+  EXPECT_EQ(air("{temperature: 25, viscosity: 1e-5}").air_viscosity, 1e-5);
+  EXPECT_EQ(air("{}").air_density, Forces().air_density);
+}
+
+TEST_F(SceneLoader, KnowsFlightPresets)
+{
+  struct Known
+  {
+    const char* name;
+    double drag, lift;  ///< C_D, and C_L at S = 0.4
+  };
+  for (const Known& known : {Known{"table_rally", 0.53, 0.333 * 7.3 * 0.4 / 3.92}, Known{"default", 0.53, 0.24806},
+                             Known{"half_saturating", 0.44, 0.4 / 1.8}, Known{"tebbe", 0.40, 0.24},
+                             Known{"mujoco_deepmind", 0.47, 0.532}, Known{"ace", 0.55, 0.267}})
+  {
+    SCOPED_TRACE(known.name);
+    const std::string name = known.name;
+    const Forces both = forcesOf("forces: {preset: " + name + "}");
+    EXPECT_TRUE(both.drag && both.magnus);
+    EXPECT_EQ(both.drag_law.at(3e4, 0.4), known.drag);
+    EXPECT_NEAR(both.lift_law.perSpinRatio(0.4) * 0.4, known.lift, 1e-5);  // its digits
+    const Forces drag = forcesOf("forces: {drag: " + name + "}"), magnus = forcesOf("forces: {magnus: " + name + "}");
+    EXPECT_TRUE(drag.drag && !drag.magnus && magnus.magnus && !magnus.drag);
+    EXPECT_EQ(drag.drag_law.at(3e4, 0.4), both.drag_law.at(3e4, 0.4));
+    EXPECT_EQ(magnus.lift_law.perSpinRatio(0.4), both.lift_law.perSpinRatio(0.4));
+  }
+}
+
+TEST_F(SceneLoader, HasTheDefaultsOfTheCoreAsItsDefaultPreset)
+{
+  const Forces preset = forcesOf("forces: {preset: default}"), core;
+  EXPECT_EQ(preset.drag_law.at(3e4, 0.4), core.drag_law.at(3e4, 0.4));
+  EXPECT_EQ(preset.lift_law.perSpinRatio(0.4), core.lift_law.perSpinRatio(0.4));
+}
+
+Surface surfaceOf(const Scene& scene)
+{
+  return scene.surfaces.at(0, scene.bodies.back().shapes[0].material);
+}
+
+std::string ballOnFloor(const std::string& law)
+{
+  return "floor: {}\nballs: [{position: [0, 0, 1]}]\nsurfaces: [{pair: [ball, floor], " + law + "}]\n";
+}
+
+TEST_F(SceneLoader, ReadsContactLaws)
+{
+  const Surface smooth = surfaceOf(load(ballOnFloor("restitution: 0.9")));
+  EXPECT_EQ(smooth.restitution, 0.9);
+  EXPECT_EQ(smooth.restitution_slope, 0.0);
+  EXPECT_EQ(smooth.friction, 0.0);
+  const Surface rough =
+      surfaceOf(load(ballOnFloor("restitution: 0.9, restitution_slope: 0.02, friction: 0.25, "
+                                 "tangential_restitution: -0.3, rolling_resistance: 0.01, spin_friction: 0.002")));
+  EXPECT_EQ(rough.restitution_slope, 0.02);
+  EXPECT_EQ(rough.friction, 0.25);
+  EXPECT_EQ(rough.tangential_restitution, -0.3);
+  EXPECT_EQ(rough.rolling_resistance, 0.01);
+  EXPECT_EQ(rough.spin_friction, 0.002);
+  EXPECT_TRUE(std::isinf(surfaceOf(load(ballOnFloor("restitution: 1, friction: .inf"))).friction));
+}
+
+TEST_F(SceneLoader, KnowsSurfacePresets)
+{
+  struct Known
+  {
+    const char* name;
+    double e, mu, e_t;  ///< e at 2.4 m/s
+  };
+  for (const Known& known : {Known{"table_match", 0.932, 0.24, 0}, Known{"table_ittf", 0.905, 0.25, 0},
+                             Known{"rubber_inverted", 0.86492, INFINITY, 0.70}, Known{"net", 0.1, 0.3, 0},
+                             Known{"floor", 0.8, 0.4, 0}, Known{"wall", 0.8, 0.4, 0}})
+  {
+    SCOPED_TRACE(known.name);
+    const Surface surface = surfaceOf(load(ballOnFloor("preset: " + std::string(known.name))));
+    EXPECT_NEAR(surface.restitutionAt(2.4), known.e, 1e-15);
+    EXPECT_EQ(surface.friction, known.mu);
+    EXPECT_EQ(surface.tangential_restitution, known.e_t);
+  }
+}
+
+TEST_F(SceneLoader, ReadsInertia)
+{
+  const auto inertia = [&](const std::string& text) { return load("balls: " + text).balls.at(0).params.inertia; };
+  EXPECT_EQ(inertia("[{position: [0, 0, 1]}]"), 2.0 / 3.0);
+  EXPECT_EQ(inertia("[{position: [0, 0, 1], inertia: shell}]"), 2.0 / 3.0);
+  EXPECT_EQ(inertia("[{position: [0, 0, 1], inertia: solid}]"), 2.0 / 5.0);
+  EXPECT_EQ(inertia("[grid: {count: [1, 1, 1], spacing: 1, origin: [0, 0, 1], inertia: solid}]"), 2.0 / 5.0);
+  EXPECT_EQ(inertia("[random: {count: 1, min: [0, 0, 1], max: [0, 0, 1], inertia: solid}]"), 2.0 / 5.0);
+}
+
+TEST_F(SceneLoader, ReadsTolerance)
+{
+  EXPECT_EQ(load("{}").tolerance, Scene().tolerance);
+  EXPECT_EQ(load("tolerance: 1e-12").tolerance, 1e-12);
+  EXPECT_EQ(load("tolerance: 0.1").tolerance, 0.1);
+}
+
 struct BadScene
 {
   const char* what;
@@ -277,7 +455,7 @@ struct BadScene
 const BadScene kBadScenes[] = {
     // keys
     {"unknown key", "forces:", "forcs:", 2, "forcs", "unknown key", "one of name, forces, floor"},
-    {"unknown inner key", "gravity: 9.81", "gravity: 9.81, drag: 1", 2, "forces.drag", "unknown key", "one of gravity"},
+    {"unknown inner key", "gravity: 9.81", "gravity: 9.81, lift: 1", 2, "forces.lift", "unknown key", "one of gravity"},
     {"unknown ball key", "spin: [0", "spn: [0", 18, "balls[0].spn", "unknown key", "one of position"},
     {"repeated key", "dt: 0.002", "dt: 0.002\ndt: 0.002", 32, "dt", "repeated key", "each key once"},
     {"repeated inner key", "{speed: 20,", "{speed: 20, speed: 20,", 14, "bodies[1].limits.speed", "repeated key",
@@ -343,6 +521,9 @@ const BadScene kBadScenes[] = {
      "an integer"},
     {"full box", "max: [2.5, 2.5, 2.5]", "max: [2.1, 2.1, 2.1]", 24, "balls[2].random.count", "40",
      "fewer balls, or a box with room"},
+    {"zero tolerance", "dt: 0.002", "tolerance: 0", 31, "tolerance", "0", "a number from 1e-12 to 0.1"},
+    {"tolerance of a metre", "dt: 0.002", "tolerance: 1", 31, "tolerance", "1", "a number from 1e-12 to 0.1"},
+    {"inertia", "mass: 0.004", "inertia: 0.5", 20, "balls[0].inertia", "0.5", "shell or solid"},
     // missing
     {"no centre", "- position: [0, 0, 2]\n    velocity", "- velocity", 16, "balls[0].position", "missing",
      "the centre [x, y, z]"},
@@ -378,6 +559,59 @@ const BadScene kBadScenes[] = {
      "a law for [ball, lawn] itself"},
     {"ball named any", "material: rubber", "material: any", 22, "balls[0].material", "any", "the name of a material"},
     {"uncovered body", "[any, any]", "[handle, handle]", 26, "surfaces", "a list", "a restitution for [wood, rubber]"},
+    // forces
+    {"number for drag", "{gravity: 9.81}", "{drag: 0.5}", 2, "forces.drag", "0.5", "{coefficient: ...}, {table: ...}, or one of default, table_rally"},
+    {"unknown drag", "{gravity: 9.81}", "{drag: viscous}", 2, "forces.drag", "viscous", "{coefficient: ...}, {table: ...}, or one of default, table_rally"},
+    {"drag of true", "{gravity: 9.81}", "{drag: true}", 2, "forces.drag", "true", "{coefficient: ...}"},
+    {"no drag", "{gravity: 9.81}", "{drag:}", 2, "forces.drag", "nothing", "a text"},
+    {"empty drag", "{gravity: 9.81}", "{drag: {}}", 2, "forces.drag.coefficient", "missing", "C_D, a number >= 0, or a table"},
+    {"pushing drag", "{gravity: 9.81}", "{drag: {coefficient: -1}}", 2, "forces.drag.coefficient", "-1", "a finite number >= 0"},
+    {"NaN drag", "{gravity: 9.81}", "{drag: {coefficient: .nan}}", 2, "forces.drag.coefficient", ".nan", "a finite number >= 0"},
+    {"two drags", "{gravity: 9.81}", "{drag: {coefficient: 1, table: {}}}", 2, "forces.drag.coefficient", "1", "either coefficient or table"},
+    {"drag table without rows", "{gravity: 9.81}", "{drag: {table: {reynolds: [], spin_ratio: [0], values: []}}}", 2, "forces.drag.table.reynolds", "[]", "a list of at least one number"},
+    {"drag table not increasing", "{gravity: 9.81}", "{drag: {table: {reynolds: [1, 1], spin_ratio: [0], values: [[1], [1]]}}}", 2, "forces.drag.table.reynolds[1]", "1", "a number above the one before it"},
+    {"drag table with few rows", "{gravity: 9.81}", "{drag: {table: {reynolds: [1, 2], spin_ratio: [0], values: [[1]]}}}", 2, "forces.drag.table.values", "a list", "2 rows, one for each Reynolds number"},
+    {"drag table with few columns", "{gravity: 9.81}", "{drag: {table: {reynolds: [1, 2], spin_ratio: [0, 1], values: [[1, 1], [1]]}}}", 2, "forces.drag.table.values[1]", "[1]", "2 numbers, one for each spin ratio"},
+    {"drag table with flat values", "{gravity: 9.81}", "{drag: {table: {reynolds: [1], spin_ratio: [0], values: [1]}}}", 2, "forces.drag.table.values[0]", "1", "1 numbers"},
+    {"drag table without values", "{gravity: 9.81}", "{drag: {table: {reynolds: [1], spin_ratio: [0]}}}", 2, "forces.drag.table.values", "missing", "1 rows"},
+    {"unknown law", "{gravity: 9.81}", "{magnus: {law: cubic}}", 2, "forces.magnus.law", "cubic", "linear, saturating, constant, or table"},
+    {"no law", "{gravity: 9.81}", "{magnus: {slope: 1}}", 2, "forces.magnus.law", "missing", "linear, saturating, constant, or table"},
+    {"unknown magnus", "{gravity: 9.81}", "{magnus: strong}", 2, "forces.magnus", "strong", "{law: ...}, or one of default, table_rally"},
+    {"no slope", "{gravity: 9.81}", "{magnus: {law: linear}}", 2, "forces.magnus.slope", "missing", "dC_L/dS, a number"},
+    {"linear with saturation", "{gravity: 9.81}", "{magnus: {law: linear, slope: 1, saturation: 1}}", 2, "forces.magnus.saturation", "unknown key", "one of law, slope"},
+    {"infinite slope", "{gravity: 9.81}", "{magnus: {law: linear, slope: .inf}}", 2, "forces.magnus.slope", ".inf", "a finite number"},
+    {"negative saturation", "{gravity: 9.81}", "{magnus: {law: saturating, slope: 1, saturation: -1}}", 2, "forces.magnus.saturation", "-1", "a finite number >= 0"},
+    {"no coefficient", "{gravity: 9.81}", "{magnus: {law: constant}}", 2, "forces.magnus.coefficient", "missing", "C_L, a number"},
+    {"lift table from zero", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [0, 1], values: [0, 1]}}", 2, "forces.magnus.spin_ratio[0]", "0", "a finite number > 0"},
+    {"lift table not increasing", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [2, 1], values: [0, 1]}}", 2, "forces.magnus.spin_ratio[1]", "1", "a number above the one before it"},
+    {"lift table too long", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [1], values: [0, 1]}}", 2, "forces.magnus.values", "[0, 1]", "1 numbers, one for each spin ratio"},
+    {"unknown preset", "{gravity: 9.81}", "{preset: golf}", 2, "forces.preset", "golf", "one of default, table_rally, half_saturating, tebbe, mujoco_deepmind, ace"},
+    {"preset and drag", "{gravity: 9.81}", "{preset: ace, drag: {coefficient: 1}}", 2, "forces.preset", "ace", "no preset beside drag or magnus"},
+    {"preset and magnus", "{gravity: 9.81}", "{magnus: ace, preset: ace}", 2, "forces.preset", "ace", "no preset beside drag or magnus"},
+    {"wind of one number", "{gravity: 9.81}", "{wind: 3}", 2, "forces.wind", "3", "three numbers [x, y, z]"},
+    {"growing spin", "{gravity: 9.81}", "{spin_decay: -0.1}", 2, "forces.spin_decay", "-0.1", "a finite number >= 0"},
+    {"buoyancy of one", "{gravity: 9.81}", "{buoyancy: 1}", 2, "forces.buoyancy", "1", "true or false"},
+    {"quoted added mass", "{gravity: 9.81}", "{added_mass: 'true'}", 2, "forces.added_mass", "true", "true or false"},
+    {"no air", "{gravity: 9.81}", "{air: {density: 0}}", 2, "forces.air.density", "0", "a finite number > 0"},
+    {"ideal air", "{gravity: 9.81}", "{air: {viscosity: 0}}", 2, "forces.air.viscosity", "0", "a finite number > 0"},
+    {"two airs", "{gravity: 9.81}", "{air: {density: 1, temperature: 20}}", 2, "forces.air.temperature", "20", "either density or temperature"},
+    {"two airs again", "{gravity: 9.81}", "{air: {density: 1, altitude: 20}}", 2, "forces.air.altitude", "20", "either density or temperature"},
+    {"air in kelvin", "{gravity: 9.81}", "{air: {temperature: 293}}", 2, "forces.air.temperature", "293", "a number from -100 to 100"},
+    {"air in space", "{gravity: 9.81}", "{air: {altitude: 1e5}}", 2, "forces.air.altitude", "1e5", "a number from -500 to 11000"},
+    // contact laws
+    {"growing e", "restitution: 0.8", "restitution: 0.8, restitution_slope: -0.1", 26, "surfaces[0].restitution_slope", "-0.1", "a finite number >= 0"},
+    {"negative friction", "restitution: 0.8", "restitution: 0.8, friction: -0.1", 26, "surfaces[0].friction", "-0.1", "a number >= 0 or .inf"},
+    {"NaN friction", "restitution: 0.8", "restitution: 0.8, friction: .nan", 26, "surfaces[0].friction", ".nan", "a number >= 0 or .inf"},
+    {"e_t too large", "restitution: 0.8", "restitution: 0.8, friction: 1, tangential_restitution: 1.1", 26, "surfaces[0].tangential_restitution", "1.1", "a number from -1 to 1"},
+    {"e_t without friction", "restitution: 0.8", "restitution: 0.8, tangential_restitution: 0.5", 26, "surfaces[0].tangential_restitution", "0.5", "it only beside a friction > 0"},
+    {"rolling without friction", "restitution: 0.8", "restitution: 0.8, friction: 0, rolling_resistance: 0.5", 26, "surfaces[0].rolling_resistance", "0.5", "it only beside a friction > 0"},
+    {"negative rolling resistance", "restitution: 0.8", "restitution: 0.8, friction: 1, rolling_resistance: -1", 26, "surfaces[0].rolling_resistance", "-1", "a finite number >= 0"},
+    {"spin without friction", "restitution: 0.8", "restitution: 0.8, spin_friction: 0.5", 26, "surfaces[0].spin_friction", "0.5", "it only beside a friction > 0"},
+    {"infinite spin friction", "restitution: 0.8", "restitution: 0.8, friction: 1, spin_friction: .inf", 26, "surfaces[0].spin_friction", ".inf", "a finite number >= 0"},
+    {"unknown surface", "restitution: 0.8", "preset: ice", 26, "surfaces[0].preset", "ice", "one of table_match, table_ittf, rubber_inverted, net, floor, wall"},
+    {"preset and restitution", "restitution: 0.8", "preset: net, restitution: 0.8", 26, "surfaces[0].restitution", "unknown key", "one of pair, preset"},
+    {"preset and friction", "restitution: 0.8", "friction: 0.1, preset: net", 26, "surfaces[0].friction", "unknown key", "one of pair, preset"},
+    {"friction alone", "restitution: 0.8", "friction: 0.1", 26, "surfaces[0].restitution", "missing", "a number from 0 to 1, or a preset"},
     // overlap; ball_0 has a radius of 30 mm
     {"ball in box", "[0, 0, 2]", "[0, 0, 1.02]", 16, "balls[0].position", "[0, 0, 1.02]",
      "no overlap, but ball_0 is 10 mm deep in box"},
@@ -435,10 +669,10 @@ TEST(ShippedScenes, Load)
   }
 }
 
-/// All shipped scenes, with paths of URDF files that hold from any folder, and the sample scene.
+/// All shipped scenes, with paths of URDF files that hold from any folder, and the sample scenes.
 std::vector<std::string> fuzzedTexts()
 {
-  std::vector<std::string> texts = {kScene};
+  std::vector<std::string> texts = {kScene, kAirScene};
   for (const std::string& path : shippedScenes())
   {
     std::string text = textOf(path);

@@ -141,6 +141,15 @@ TEST(Simulate, TakesAnotherMethodAndStep)
   EXPECT_NEAR(number(lines(euler.out).at(2), 4), expected, 1e-12);
 }
 
+TEST(Simulate, TakesAnotherTolerance)
+{
+  const std::string arguments = shipped("arc_air") + " --duration 0.5 --rate 2";
+  const Output own = simulate(arguments), coarse = simulate(arguments + " --tolerance 1e-2");
+  EXPECT_EQ(own.out, simulate(arguments + " --tolerance 1e-6").out);  // the scene's
+  EXPECT_NE(own.out, coarse.out);
+  EXPECT_NEAR(number(lines(own.out).at(2), 4), number(lines(coarse.out).at(2), 4), 1e-2);
+}
+
 TEST(Simulate, WritesContacts)
 {
   const TempFolder folder;
@@ -181,7 +190,7 @@ TEST(Simulate, ExplainsItself)
 {
   const Output output = simulate("--help");
   EXPECT_EQ(output.status, 0);
-  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--seed", "--contacts", "euler_explicit"})
+  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--contacts", "euler_explicit"})
     EXPECT_NE(output.out.find(option), std::string::npos) << option;
 }
 
@@ -204,7 +213,9 @@ TEST(Simulate, RefusesBadInputWithOneLineAndStatusTwo)
       {arc + " --duration 1 --contacts ''", "--contacts: nothing: expected"},
       {arc + " --duration 1 --fast", "--fast: unknown option: expected"},
       {arc + " --duration 1 -q", "-q: unknown option: expected"},
-      {arc + " --duration 1 --tolerance 1", "--tolerance: unknown option: expected"},
+      {arc + " --duration 1 --tolerance 1", "--tolerance: 1: expected a number from 1e-12 to 0.1"},
+      {arc + " --duration 1 --tolerance 0", "--tolerance: 0: expected a number from"},
+      {arc + " --duration 1 --tolerance fine", "--tolerance: fine: expected a number from"},
       {arc + " other.yaml --duration 1", "other.yaml: second scene: expected"},
       {"/no/scene.yaml --duration 1", "/no/scene.yaml:1: scene: No such file or directory: expected"},
   };

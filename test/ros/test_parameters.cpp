@@ -55,6 +55,31 @@ TEST(Parameters, UnknownMethod)
   expectRefused(kScene + " _method:=magic", {"/refused/method", "magic", "exact"});
 }
 
+TEST(Parameters, ToleranceOutOfRange)
+{
+  expectRefused(kScene + " _tolerance:=-1.0e-6", {"/refused/tolerance", "[m]"});
+}
+
+TEST(Parameters, UnknownShot)
+{
+  expectRefused(kScene + " _feed_shot:=moonball", {"/refused/feed_shot", "moonball", "serve", "random"});
+}
+
+TEST(Parameters, FeedFasterThanTicks)
+{
+  expectRefused(kScene + " _feed_period:=0.005", {"/refused/feed_period", "0.005", "one tick"});
+}
+
+TEST(Parameters, NegativeFeedPeriod)
+{
+  expectRefused(kScene + " _feed_period:=-1", {"/refused/feed_period", "-1", "0 (no feed)"});
+}
+
+TEST(Parameters, HalfABallToKeep)
+{
+  expectRefused(kScene + " _feed_keep:=2.5", {"/refused/feed_keep", "2.5", "a whole number"});
+}
+
 TEST(Parameters, NoScene)
 {
   expectRefused("", {"/refused/scene", "expected"});
