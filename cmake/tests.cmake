@@ -21,12 +21,14 @@ function(add_core_test name)
     target_link_libraries(${target} gtest_main)
   endif()
   target_link_libraries(${target} ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
-  add_dependencies(${target} ${PROJECT_NAME}_simulate)  # some run it
+  add_dependencies(${target} ${PROJECT_NAME}_simulate ${PROJECT_NAME}_validate)  # some run them
   target_include_directories(${target} PRIVATE test/core src/core)
   target_compile_definitions(${target} PRIVATE
     SCENES_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/scenes"
     URDF_DIR="${CMAKE_CURRENT_SOURCE_DIR}/urdf"
     SIMULATE="$<TARGET_FILE:${PROJECT_NAME}_simulate>"
+    VALIDATE="$<TARGET_FILE:${PROJECT_NAME}_validate>"
+    DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/test/data"
     CORE_LIBRARY="$<TARGET_FILE:${PROJECT_NAME}_core>")
 endfunction()
 
@@ -51,6 +53,10 @@ foreach(name
     resting
     over_the_edge
     squeeze
+    air
+    friction
+    properties
+    validation
     shots
 )
   add_core_test(${name})

@@ -102,6 +102,8 @@ double FlightModel::rate(const Vector3d& v_WB, const Vector3d& w_WB) const
 {
   const Vector3d u = v_WB - forces_.wind;
   const double speed = u.norm() + 0.1 * gravity_.norm();  // it will be that fast soon
-  return (2.0 * drag_ * speed + lift_ * w_WB.norm()) + 1e-3;
+  const double spin = w_WB.norm();
+  const double turn = spin > 0.0 ? lift_ * forces_.lift_law.perSpinRatio(radius_ * spin / speed) * spin : 0.0;
+  return 2.0 * drag_ * speed + turn + 1e-3;
 }
 }  // namespace ping_pong

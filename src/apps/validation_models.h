@@ -1,0 +1,39 @@
+// The models that `validate` compares: the default, what is left of it when something is taken out, and published ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ping_pong_sim/scene.h"
+
+namespace ping_pong
+{
+struct FlightChoice
+{
+  std::string name;   ///< short, for tables and plots
+  std::string what;   ///< one line
+  Forces forces;
+  Surface table;
+};
+
+struct RubberChoice
+{
+  std::string name;
+  std::string what;
+  Surface rubber;
+};
+
+/// Gravity, drag and Magnus force with the default constants.
+Forces defaultForces();
+/// The default and buoyancy, added mass and spin decay: what omissions are measured against.
+Forces completeForces();
+/// The default and buoyancy, with a C_D that grows from a value without spin to the default's at a spin ratio of 0.2.
+Forces spinDragForces(double C_D_without_spin);
+Surface defaultTable();
+/// e at vanishing speed, its fall per speed [s/m], mu, e_t.
+Surface surfaceWith(double restitution, double slope, double friction, double tangential);
+
+/// The first one is the default.
+std::vector<FlightChoice> flightChoices();
+std::vector<RubberChoice> rubberChoices();
+}  // namespace ping_pong
