@@ -1,5 +1,4 @@
-// A ball dropped on a floor: energy, phase, apex heights, time to rest, rest. PHYSICS.md section 4, rows 1, 2, 11,
-// 12, 13.
+// A ball dropped on a floor: energy, phase, apex heights, time to rest, rest.
 #include "scene_builder.h"
 
 namespace ping_pong

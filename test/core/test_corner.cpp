@@ -1,4 +1,4 @@
-// Two and three walls at the same instant. PHYSICS.md section 4, row 17.
+// Two and three walls at the same instant.
 #include <algorithm>
 
 #include "scene_builder.h"

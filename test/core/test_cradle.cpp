@@ -1,4 +1,4 @@
-// Newton's cradle, collapse and Galperin's count: many contacts in no time. PHYSICS.md section 4, rows 14, 15, 16, 24.
+// Newton's cradle, collapse and Galperin's count: many contacts in no time.
 #include <algorithm>
 
 #include "scene_builder.h"

@@ -1,4 +1,4 @@
-// Normals on faces, edges, corners, rims and curved sides of bodies at any pose. PHYSICS.md section 4, row 18.
+// Normals on faces, edges, corners, rims and curved sides of bodies at any pose.
 #include <random>
 
 #include "scene_builder.h"

@@ -1,4 +1,4 @@
-// A micrometre decides between hit and miss. PHYSICS.md section 4, row 23.
+// A micrometre decides between hit and miss.
 #include "scene_builder.h"
 
 namespace ping_pong

@@ -1,4 +1,4 @@
-// Far from the origin and long after the start a bounce is the same bounce. PHYSICS.md section 4, rows 29 and 32.
+// Far from the origin and long after the start a bounce is the same bounce.
 #include "scene_builder.h"
 
 namespace ping_pong

@@ -1,4 +1,4 @@
-// Balls against balls: closed forms, cradles, counting, momentum and energy. PHYSICS.md section 4, rows 22, 25, 26.
+// Balls against balls: closed forms, cradles, counting, momentum and energy.
 #include <random>
 
 #include "ping_pong_sim/detect.h"

@@ -1,5 +1,4 @@
-// Overlap from outside and no room left: refused, pushed out without speed, reported. PHYSICS.md section 4, rows 27
-// and 28.
+// Overlap from outside and no room left: refused, pushed out without speed, reported.
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -68,7 +67,7 @@ TEST(Squeeze, ABallInsideATableAtTheStartIsNeitherShotOutNorAHang)  // scenes bu
     std::printf("[ measured ] %s\n", name(method));
     measured("15 mm deep at the start: greatest speed [m/s]", speed);
     measured("events", static_cast<double>(events));
-    EXPECT_LE(speed, 1.6);  // PHYSICS.md: energy of the lift at most, not depth / dt = 15 m/s
+    EXPECT_LE(speed, 1.6);  // the energy of the lift at most, not depth / dt = 15 m/s
     EXPECT_LE(events, 20000u);
   }
 }

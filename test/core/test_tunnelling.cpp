@@ -1,4 +1,4 @@
-// Fast balls and thin plates, moving and turning paddles. PHYSICS.md section 4, rows 6 to 10 and 30.
+// Fast balls and thin plates, moving and turning paddles.
 #include <functional>
 
 #include "scene_builder.h"
