@@ -15,24 +15,7 @@ using Jacobian = Eigen::MatrixXd;
 constexpr double kSpinUnit = 100.0;  // [rad/s]; so that all unknowns have about the same weight
 constexpr double kDifference = 1e-4; // for derivatives
 constexpr int kMostSteps = 60;
-
-Scene sceneOf(const FlightChoice& model)
-{
-  Scene scene;
-  scene.forces = model.forces;
-  scene.tolerance = 1e-7;
-  scene.materials = {"ball", "table"};
-  scene.surfaces = SurfaceTable(2);
-  scene.surfaces.set(0, 1, model.table);
-  Body table;
-  table.name = "table";
-  table.shapes.resize(1);
-  table.shapes[0].kind = ShapeKind::HalfSpace;
-  table.shapes[0].material = 1;
-  scene.bodies.push_back(table);
-  scene.balls.resize(1);
-  return scene;
-}
+constexpr double kTolerance = 1e-7;  // of the forward model [m]
 
 BallState stateOf(const Unknowns& x)
 {
@@ -47,7 +30,7 @@ class Problem
 {
 public:
   Problem(const Flight& flight, std::size_t samples, const FlightChoice& model)
-    : flight_(flight), samples_(samples), scene_(sceneOf(model))
+    : flight_(flight), samples_(samples), scene_(tableScene(model.forces, model.table, kTolerance))
   {
   }
 

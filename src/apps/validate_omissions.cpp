@@ -84,19 +84,7 @@ std::vector<Change> changes()
 
 Scene sceneOf(const Forces& forces, const Surface& law, const BallState& start, double tolerance)
 {
-  Scene scene;
-  scene.forces = forces;
-  scene.tolerance = tolerance;
-  scene.materials = {"ball", "table"};
-  scene.surfaces = SurfaceTable(2);
-  scene.surfaces.set(0, 1, law);
-  Body table;
-  table.name = "table";
-  table.shapes.resize(1);
-  table.shapes[0].kind = ShapeKind::HalfSpace;
-  table.shapes[0].material = 1;
-  scene.bodies.push_back(table);
-  scene.balls.resize(1);
+  Scene scene = tableScene(forces, law, tolerance);
   scene.balls[0].state = start;
   return scene;
 }

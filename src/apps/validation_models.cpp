@@ -72,6 +72,24 @@ Surface surfaceWith(double restitution, double slope, double friction, double ta
   return table;
 }
 
+Scene tableScene(const Forces& forces, const Surface& table, double tolerance)
+{
+  Scene scene;
+  scene.forces = forces;
+  scene.tolerance = tolerance;
+  scene.materials = {"ball", "table"};
+  scene.surfaces = SurfaceTable(2);
+  scene.surfaces.set(0, 1, table);
+  Body plane;
+  plane.name = "table";
+  plane.shapes.resize(1);
+  plane.shapes[0].kind = ShapeKind::HalfSpace;
+  plane.shapes[0].material = 1;
+  scene.bodies.push_back(plane);
+  scene.balls.resize(1);
+  return scene;
+}
+
 std::vector<FlightChoice> flightChoices()
 {
   const Surface table = defaultTable();

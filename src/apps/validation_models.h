@@ -33,6 +33,9 @@ Surface defaultTable();
 /// e at vanishing speed, its fall per speed [s/m], mu, e_t.
 Surface surfaceWith(double restitution, double slope, double friction, double tangential);
 
+/// One ball above an infinite table at z = 0. @param tolerance  of `exact` [m]
+Scene tableScene(const Forces& forces, const Surface& table, double tolerance);
+
 /// The first one is the default.
 std::vector<FlightChoice> flightChoices();
 std::vector<RubberChoice> rubberChoices();

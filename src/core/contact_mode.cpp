@@ -10,7 +10,6 @@ namespace
 {
 constexpr double kLift = 1e-12;          // height of bounces that no longer count [m]
 constexpr double kLiftInTolerances = 32.0;  // or this many touch tolerances, far from the origin
-constexpr double kNoHopSpeed = 1e-9;     // away so slowly is no hop, however weak the press [m/s]
 constexpr double kKeepGap = 1e-6;        // a support is left from further than this [m]
 constexpr double kStillSpeed = 1e-12;    // below: rounding, the ball lies still [m/s]
 constexpr double kStillFraction = 1e-12; // tangential acceleration below this part of the free one is rounding
@@ -80,19 +79,13 @@ bool steady(const WorldState& world, const BallRecord& ball, const BallState& st
 {
   if (!allFlatAndNotTurning(world, ball, state, t)) return false;
   if (world.scene.forces.dependOnVelocity() && !(state.v_WB.isZero(0.0) && motion.a.isZero(0.0))) return false;
-  Vector3d slip = Vector3d::Zero();
-  std::size_t rough = 0;
-  for (std::size_t i = 0; i < ball.supports.count; ++i)
-  {
-    const Place place = placeOf(world, ball, i, t);
-    if (place.law.friction == 0.0) continue;
-    ++rough;
-    slip = slipOver(place, ball.params, state);
-  }
-  if (rough == 0) return true;
-  // Friction keeps its direction while the slip does: it changes along itself.
+  bool rough = false;
+  for (std::size_t i = 0; i < ball.supports.count; ++i) rough |= placeOf(world, ball, i, t).law.friction > 0.0;
+  if (!rough) return true;
   if (ball.supports.count > 1) return motion.a.isZero(0.0) && motion.alpha.isZero(0.0);
+  // Friction keeps its direction while the slip does: it changes along itself.
   const Place place = placeOf(world, ball, 0, t);
+  const Vector3d slip = slipOver(place, ball.params, state);
   const Vector3d n = gapTo(place.shape, place.frame, state.p_WB, state.v_WB, ball.params.radius).n_W;
   const Vector3d change = motion.a - place.frame.a_WB - ball.params.radius * motion.alpha.cross(n);
   return slip.cross(change - n.dot(change) * n).norm() <= 1e-12 * slip.norm() * (change.norm() + 1.0);

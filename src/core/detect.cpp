@@ -7,8 +7,6 @@ namespace ping_pong
 {
 namespace
 {
-// Slower than this, a touching ball that is pressed on the surface cannot hop: height below 1e-19 m under gravity.
-constexpr double kNoHopSpeed = 1e-9;  // [m/s]
 // Closing in slower than this is rounding.
 constexpr double kNoClosingSpeed = 1e-12;  // [m/s]
 // A touching ball that neither closes in nor presses: look again after this time, then after twice that.
