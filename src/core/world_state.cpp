@@ -10,12 +10,7 @@ void placeBody(BodyRecord& body, Pose pose)
   body.motion.pose = pose;
   body.moving = false;
   ++body.version;
-  const Matrix3d R_WB = pose.q.toRotationMatrix();
-  body.placed = body.body.shapes;
-  for (Shape& shape : body.placed)
-  {
-    shape.p_BS = R_WB * shape.p_BS + pose.p;
-    shape.R_BS = R_WB * shape.R_BS;
-  }
+  body.placed.clear();
+  for (const Shape& shape : body.body.shapes) body.placed.push_back(placed(shape, pose));
 }
 }  // namespace ping_pong
