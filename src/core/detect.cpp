@@ -185,11 +185,14 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
   const double reach = radius1 + radius2;
   const double s1 = from - path1.start;
   const double s2 = from - path2.start;
-  const Vector3d p1 = path1.position(s1);
-  const double tolerance = touchTolerance(p1, reach);
-  if (path1.degree <= 2 && path2.degree <= 2 && path1.c[2] == path2.c[2])
-    return firstContactOnQuadratic(p1 - path2.position(s2), path1.velocity(s1) - path2.velocity(s2), reach, from,
-                                   until, tolerance);
+  if (path1.degree == 2 && path2.degree == 2 && path1.c[2] == path2.c[2])
+  {
+    const Vector3d p1 = path1.c[0] + s1 * (path1.c[1] + s1 * path1.c[2]);
+    const Vector3d p2 = path2.c[0] + s2 * (path2.c[1] + s2 * path2.c[2]);
+    const Vector3d u = path1.c[1] - path2.c[1] + (2.0 * (s1 - s2)) * path1.c[2];
+    return firstContactOnQuadratic(p1 - p2, u, reach, from, until, touchTolerance(p1, reach));
+  }
+  const double tolerance = touchTolerance(path1.position(s1), reach);
   const Vector3d a_low = path1.a_low - path2.a_high;
   const Vector3d a_high = path1.a_high - path2.a_low;
   const auto at = [&](double t) {

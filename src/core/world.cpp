@@ -59,6 +59,8 @@ void World::Impl::start()
   time = time_rest = 0.0;
   next_id = 0;
   contacts.clear();
+  contact_of.clear();
+  islands = IslandRecords();
   status = StepStatus();
   balls.clear();
   bodies.clear();
@@ -76,9 +78,7 @@ void World::Impl::start()
 
 BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
 {
-  BallRecord ball;
-  ball.id = next_id++;
-  ball.params = params;
+  BallRecord ball(next_id++, params, scene.forces);
   ball.path = flyParabola(state, time, Vector3d::Zero());
   balls.push_back(ball);
   return balls.back();
@@ -192,6 +192,7 @@ StepStatus World::advance(double duration)
 {
   Impl& world = *impl_;
   world.contacts.clear();
+  world.contact_of.clear();
   world.status = StepStatus();
   if (!(duration > 0.0) || !std::isfinite(duration)) return world.status;
   const double end = world.later(duration);

@@ -1,8 +1,35 @@
 #include "world_state.h"
 
+#include <algorithm>
+
 namespace ping_pong
 {
 const BodyMotion BodyRecord::kWorldFrame;
+
+namespace
+{
+// Least value of v s + a s^2 / 2 for s in [0, T].
+double leastOn(double v, double a, double T)
+{
+  if (a > 0.0 && v < 0.0 && -v < a * T) return -0.5 * v * v / a;
+  return std::min(0.0, (v + 0.5 * a * T) * T);
+}
+}  // namespace
+
+Box boxOf(const BallRecord& ball, double from, double to)
+{
+  const Segment& path = ball.path;
+  const double s = std::max(from - path.start, 0.0);
+  const double T = std::max(to - path.start - s, 0.0);
+  const Vector3d p = path.position(s), v = path.velocity(s);
+  Box box;
+  for (int i = 0; i < 3; ++i)
+  {
+    box.low[i] = p[i] + leastOn(v[i], path.a_low[i], T) - ball.params.radius;
+    box.high[i] = p[i] - leastOn(-v[i], -path.a_high[i], T) + ball.params.radius;
+  }
+  return box;
+}
 
 void placeBody(BodyRecord& body, Pose pose)
 {
