@@ -13,7 +13,7 @@ Segment flyParabola(const BallState& state, double start, const Vector3d& a);
 /// Gauss-Legendre points (Hairer, Norsett, Wanner, "Solving ODEs I", II.7), as long as its error allows.
 /// @param tolerance  error of the position that the piece may leave after a second [m]
 /// @param step       in: length to try, 0 if unknown; out: length that will do next time [s]
-Segment fly(const BallState& state, double start, const FlightModel& model, double tolerance, double& step);
+void fly(const BallState& state, double start, const FlightModel& model, double tolerance, double& step, Segment& path);
 
 /// One fixed step of the sampled methods. Explicit: x += v h, v += a h. Semi-implicit: v += a h, x += v h.
 void stepExplicit(BallState& state, const FlightModel& model, double h);

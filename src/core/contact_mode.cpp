@@ -167,6 +167,25 @@ void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallStat
   path.end = t + h;
   path.boundAcceleration();
 }
+
+// The path of a ball that lay on surfaces; it may leave some of them now, or all.
+void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
+{
+  dropSurfacesLeft(world, ball, state, t);
+  AccelerationBounds bounds;
+  HeldMotion motion = heldMotion(world, ball, state, t, 0.0, bounds);
+  for (std::size_t i = ball.supports.count; i-- > 0;)
+    if (!bounds.loaded[i]) ball.supports.remove(i);
+  if (ball.supports.none()) return fly(state, t, ball.model, world.scene.tolerance, ball.step, ball.path);
+  const Vector3d free = ball.model.acceleration(state.v_WB, state.w_WB);
+  motion.a = cleaned(motion.a, free);
+  motion.alpha = cleaned(ball.params.radius * motion.alpha, free) / ball.params.radius;
+  ball.path = flyParabola(state, t, Vector3d::Zero());
+  if (steady(world, ball, state, motion, t))
+    moveOnFaces(world, ball, state, motion, t, window_end, ball.path);
+  else
+    moveOnPiece(world, ball, state, motion, t, window_end, ball.path);
+}
 }  // namespace
 
 bool bouncingEnds(double rate, double press, double touch_tolerance)
@@ -181,31 +200,13 @@ double timeOfRemainingBounces(double rate, double press, double restitution)
   return restitution < 1.0 ? 2.0 * rate / (press * (1.0 - restitution)) : 0.0;
 }
 
-void planPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
+void planPath(const WorldState& world, BallRecord& ball, const BallState& state, double t, double window_end)
 {
   ++ball.version;
   ball.passing = Passing();
-  HeldMotion motion;
-  if (!ball.supports.none())
-  {
-    dropSurfacesLeft(world, ball, state, t);
-    AccelerationBounds bounds;
-    motion = heldMotion(world, ball, state, t, 0.0, bounds);
-    for (std::size_t i = ball.supports.count; i-- > 0;)
-      if (!bounds.loaded[i]) ball.supports.remove(i);
-  }
   if (ball.supports.none())
-  {
-    ball.path = fly(state, t, ball.model, world.scene.tolerance, ball.step);
-    return;
-  }
-  const Vector3d free = ball.model.acceleration(state.v_WB, state.w_WB);
-  motion.a = cleaned(motion.a, free);
-  motion.alpha = cleaned(ball.params.radius * motion.alpha, free) / ball.params.radius;
-  ball.path = flyParabola(state, t, Vector3d::Zero());
-  if (steady(world, ball, state, motion, t))
-    moveOnFaces(world, ball, state, motion, t, window_end, ball.path);
+    fly(state, t, ball.model, world.scene.tolerance, ball.step, ball.path);
   else
-    moveOnPiece(world, ball, state, motion, t, window_end, ball.path);
+    planHeldPath(world, ball, state, t, window_end);
 }
 }  // namespace ping_pong

@@ -21,5 +21,5 @@ constexpr double kKeepSpeed = 1e-6;  ///< a support is left by moving away faste
 /// Plans the path from `state` at time t: drops supports that let go or were left, projects what remains of the velocity
 /// into them, and lays a path: in the air; in closed form on flat faces (sliding to the end of slip, rolling, lying still); else
 /// one short quintic piece. On moving bodies it holds until `window_end` only.
-void planPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end);
+void planPath(const WorldState& world, BallRecord& ball, const BallState& state, double t, double window_end);
 }  // namespace ping_pong

@@ -10,15 +10,23 @@ namespace ping_pong
 {
 namespace
 {
-Segment startOf(const BallState& state, double start)
+void startAt(const BallState& state, double start, double spin_decay, Segment& path)
 {
-  Segment path;
   path.start = start;
+  path.end = std::numeric_limits<double>::infinity();
   path.c[0] = state.p_WB;
   path.c[1] = state.v_WB;
   path.q_WB = state.q_WB;
   path.w_WB = state.w_WB;
-  return path;
+  path.alpha_WB.setZero();
+  path.spin_decay = spin_decay;
+}
+
+void bendBy(const Vector3d& a, Segment& path)
+{
+  path.degree = 2;
+  path.c[2] = 0.5 * a;
+  path.a_low = path.a_high = a;
 }
 
 // What turns and slows the spin in one fixed step.
@@ -220,28 +228,21 @@ void flyThroughAir(const FlightModel& model, double tolerance, Segment& path, do
 
 Segment flyParabola(const BallState& state, double start, const Vector3d& a)
 {
-  Segment path = startOf(state, start);
-  path.degree = 2;
-  path.c[2] = 0.5 * a;
-  path.boundAcceleration();
+  Segment path;
+  startAt(state, start, 0.0, path);
+  bendBy(a, path);
   return path;
 }
 
-Segment fly(const BallState& state, double start, const FlightModel& model, double tolerance, double& step)
+void fly(const BallState& state, double start, const FlightModel& model, double tolerance, double& step, Segment& path)
 {
-  Segment path = startOf(state, start);
-  path.spin_decay = model.spinDecay();
-  if (model.constant())
-  {
-    path.degree = 2;
-    path.c[2] = 0.5 * model.acceleration(state.v_WB, state.w_WB);
-  }
-  else if (tolerance > 1e-5)
+  startAt(state, start, model.spinDecay(), path);
+  if (model.constant()) return bendBy(model.acceleration(state.v_WB, state.w_WB), path);
+  if (tolerance > 1e-5)
     flyThroughAir<4>(model, tolerance, path, step);
   else
     flyThroughAir<8>(model, tolerance, path, step);
   path.boundAcceleration();
-  return path;
 }
 
 void stepExplicit(BallState& state, const FlightModel& model, double h)

@@ -46,8 +46,8 @@ constexpr double kFromTheStart = -kNever;
 void foreseeAll(WorldState& world, const Window& window, std::size_t i, double t, double resume = kFromTheStart)
 {
   foresee(world, i, t);
-  foreseeMoving(world, i, t, window.smooth_until);
-  world.balls[i].next_ball = Event();
+  if (world.any_moving) foreseeMoving(world, i, t, window.smooth_until);
+  if (window.count > 1) world.balls[i].next_ball = Event();
   for (std::size_t m = 0; m < window.count; ++m)
     if (window.members[m] != i) foreseeBall(world, i, window.members[m], resume, window.end);
 }
@@ -243,7 +243,7 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
 
 void handle(WorldState& world, const Window& window, std::size_t i)
 {
-  const Event event = soonest(world.balls[i]);
+  const Event event = soonest(world.balls[i]);  // a copy: the original goes when the path does
   const double t = event.time;
   if (event.kind == Event::Kind::LookAgain) return foreseeAll(world, window, i, t, t);
   if (!stillTrue(world, event)) return foreseeAll(world, window, i, t);
@@ -292,6 +292,7 @@ void startWindow(WorldState& world, double end)
     stopped |= body.moved && !body.moving;
     moving |= body.moving;
   }
+  world.any_moving = moving;
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
     BallRecord& ball = world.balls[i];

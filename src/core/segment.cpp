@@ -9,6 +9,7 @@ namespace ping_pong
 {
 Vector3d Segment::position(double s) const
 {
+  if (degree == 2) return c[0] + s * (c[1] + s * c[2]);
   Vector3d sum = c[degree];
   for (int k = degree - 1; k >= 0; --k) sum = sum * s + c[k];
   return sum;
@@ -17,6 +18,7 @@ Vector3d Segment::position(double s) const
 Vector3d Segment::velocity(double s) const
 {
   if (degree < 1) return Vector3d::Zero();
+  if (degree == 2) return c[1] + (2.0 * s) * c[2];
   Vector3d sum = degree * c[degree];
   for (int k = degree - 1; k >= 1; --k) sum = sum * s + k * c[k];
   return sum;
@@ -38,6 +40,7 @@ Vector3d Segment::spin(double s) const
 
 BallState Segment::state(double s) const
 {
+  if (w_WB.isZero(0.0) && alpha_WB.isZero(0.0)) return {position(s), q_WB, velocity(s), w_WB};
   // Exact where the axis keeps its direction; a ball that starts to roll while it spins about the normal turns nearly so.
   const double time_of_decay = spin_decay > 0.0 ? -std::expm1(-spin_decay * s) / spin_decay : s;
   const Vector3d turn = time_of_decay * w_WB + (0.5 * s * s) * alpha_WB;

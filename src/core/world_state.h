@@ -121,6 +121,7 @@ struct WorldState
   std::vector<Contact> contacts;
   std::vector<std::uint32_t> contact_of;  ///< index of the ball, by contact
   StepStatus status;
+  bool any_moving = false;                ///< any body, in this window
   IslandRecords islands;
 
   const Surface& surface(const BallRecord& ball, const Shape& shape) const

@@ -440,7 +440,8 @@ TEST(AirReference, VelocityIsTheDerivativeOfPositionInsideAPiece)
   state.v_WB = Vector3d(10, 2, 3);
   state.w_WB = Vector3d(50, 300, -80);
   double step = 0.0;
-  const Segment piece = fly(state, 0.0, model, 1e-9, step);
+  Segment piece;
+  fly(state, 0.0, model, 1e-9, step, piece);
   ASSERT_GT(piece.end, 0.003);
   for (int i = 1; i < 16; ++i)
   {
