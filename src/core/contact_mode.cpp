@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "held_motion.h"
+#include "ping_pong_sim/fixed_flight.h"
 
 namespace ping_pong
 {
@@ -195,7 +196,8 @@ void planPath(const WorldState& world, BallRecord& ball, BallState state, double
   const FlightModel model(world.scene.forces, ball.params);
   if (ball.supports.none())
   {
-    ball.path = fly(state, t, model, world.scene.tolerance, ball.step);
+    ball.path = world.scene.method == Method::Rk4Located ? flyRk4(state, t, model, world.scene.dt)
+                                                         : fly(state, t, model, world.scene.tolerance, ball.step);
     return;
   }
   const Vector3d free = model.acceleration(state.v_WB, state.w_WB);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ping_pong_sim/evolve.h"
+#include "ping_pong_sim/fixed_flight.h"
 
 namespace ping_pong
 {
@@ -39,8 +40,7 @@ Vector3d Segment::spin(double s) const
 BallState Segment::state(double s) const
 {
   // Exact where the axis keeps its direction; a ball that starts to roll while it spins about the normal turns nearly so.
-  const double time_of_decay = spin_decay > 0.0 ? -std::expm1(-spin_decay * s) / spin_decay : s;
-  const Vector3d turn = time_of_decay * w_WB + (0.5 * s * s) * alpha_WB;
+  const Vector3d turn = turn_WB + turnIn(w_WB, spin_decay, s) + (0.5 * s * s) * alpha_WB;
   return {position(s), turned(q_WB, turn, 1.0), velocity(s), spin(s)};
 }
 

@@ -42,6 +42,7 @@ struct World::Impl : WorldState
   Scene loaded;
   BallId next_id = 0;
   double time_rest = 0.0;  // what rounding took from time: N ticks of h end at N h
+  std::vector<Obstacle> obstacles;  // of the window: kept, so that no step allocates
 
   void start();
   BallRecord& add(const BallParams& params, const BallState& state);
@@ -70,7 +71,7 @@ void World::Impl::start()
     bodies.push_back(record);
   }
   for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
-  if (scene.method == Method::Exact) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
+  if (locatesContacts(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
   plan();
 }
 
@@ -86,7 +87,7 @@ BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
 
 void World::Impl::plan()
 {
-  if (scene.method == Method::Exact) restartExact(*this);
+  locatesContacts(scene.method) ? restartExact(*this) : restartFixedStep(*this);
 }
 
 // Neumaier's compensated sum.
@@ -113,7 +114,7 @@ double World::Impl::movePaddles(double end)
     work |= atWork(body);
   }
   if (!work) return end;
-  std::vector<Obstacle> obstacles;
+  obstacles.clear();
   for (const BodyRecord& body : bodies)
     if (body.body.kind == BodyKind::Static) obstacles.push_back({&body.body.shapes, body.motion.pose});
   const double pieces = std::max(1.0, std::ceil((end - time) / kLongestMotion - 1e-9));
@@ -145,7 +146,7 @@ double World::Impl::movePaddles(double end)
 
 void World::Impl::runMethod(double end)
 {
-  if (scene.method == Method::Exact)
+  if (locatesContacts(scene.method))
     runExact(*this, end);
   else
     runFixedStep(*this, end);

@@ -79,6 +79,7 @@ struct WorldState
   double time = 0.0;  ///< [s]
   std::vector<BallRecord> balls;
   std::vector<BodyRecord> bodies;
+  std::vector<FlightModel> models;  ///< of the sampled methods, one per ball
   std::vector<Contact> contacts;
   StepStatus status;
 

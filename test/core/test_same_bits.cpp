@@ -40,7 +40,7 @@ std::uint64_t hashAfter(World& world, double tick, int ticks)
 
 TEST(SameBits, OnEveryRunOfEveryMethod)
 {
-  for (const Method method : {Method::Exact, Method::EulerSemiImplicit, Method::EulerExplicit})
+  for (const Method method : kMethods)
   {
     Scene scene = tray();
     scene.method = method;

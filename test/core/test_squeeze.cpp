@@ -52,7 +52,7 @@ TEST(Squeeze, ABodySetOntoABallPushesItOutWithoutSpeed)
 
 TEST(Squeeze, ABallInsideATableAtTheStartIsNeitherShotOutNorAHang)  // scenes built in code are not checked by a loader
 {
-  for (const Method method : {Method::Exact, Method::EulerExplicit, Method::EulerSemiImplicit})
+  for (const Method method : kMethods)
   {
     Scene scene = table().ball({0, 0, 0.005}).build();
     scene.method = method;
