@@ -40,6 +40,7 @@ foreach(name
     paddle_drive
     paddle_blocking
     flight
+    ladder
     bouncing
     large_numbers
     tunnelling
