@@ -36,15 +36,23 @@ void store(BallRecord& ball, const BallState& state)
   path.w_WB = state.w_WB;
 }
 
-void record(WorldState& world, Contact contact, const BallRecord& ball, double t)
+// A new record of what happens to the ball now, with its velocities before.
+Contact& open(WorldState& world, const BallRecord& ball, double t)
 {
+  Contact& contact = world.contacts.emplace_back();
   contact.time = t;
   contact.ball = ball.id;
-  contact.w_after = ball.path.w_WB;
-  contact.v_after = ball.path.c[1];
-  contact.impulse = ball.params.mass * (contact.v_after - contact.v_before);
-  world.contacts.push_back(contact);
+  contact.v_before = ball.path.c[1];
+  contact.w_before = ball.path.w_WB;
   ++world.status.contacts;
+  return contact;
+}
+
+void close(Contact& contact, const BallRecord& ball)
+{
+  contact.v_after = ball.path.c[1];
+  contact.w_after = ball.path.w_WB;
+  contact.impulse = ball.params.mass * (contact.v_after - contact.v_before);
 }
 
 // --- evolve ---
@@ -64,6 +72,7 @@ void fly(WorldState& world, double h)
     }
     path.c[0] = state.p_WB;
     path.c[1] = state.v_WB;
+    if (path.w_WB.isZero(0.0)) continue;
     path.turn_WB += turnIn(path.w_WB, world.models[i].spinDecay(), h);
     path.w_WB = state.w_WB;
     if (path.turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
@@ -96,32 +105,38 @@ bool clearOf(const Shape& shape, const Vector3d& p_BQ, double radius)
   return ((q.cwiseAbs() - shape.half_size).array() >= radius).any();
 }
 
+// A still body's shapes are in the world frame.
+Gap gapOf(const BodyRecord& body, const Shape& shape, const BodyFrame& frame, const BallState& ball, double radius)
+{
+  if (body.moving) return gapTo(shape, frame, ball.p_WB, ball.v_WB, radius);
+  const Proximity near = proximity(shape, ball.p_WB);
+  return {near.distance - radius, near.normal.dot(ball.v_WB), near.normal};
+}
+
 // Closest point, push out, reflect with loss.
 void collideWithShape(WorldState& world, BallRecord& ball, std::size_t b, std::size_t s, const BodyFrame& frame,
                       double t)
 {
   const Shape& shape = world.bodies[b].shapes()[s];
   BallState state = stateOf(ball);
-  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
+  const Gap gap = gapOf(world.bodies[b], shape, frame, state, ball.params.radius);
   if (gap.gap >= 0.0) return;
-  Contact contact;
+  state.p_WB -= gap.gap * gap.n_W;
+  if (gap.rate >= 0.0) return store(ball, state);
+  Contact& contact = open(world, ball, t);
   contact.body = b;
   contact.shape = s;
   contact.n_W = gap.n_W;
-  contact.v_before = state.v_WB;
-  contact.w_before = state.w_WB;
-  state.p_WB -= gap.gap * gap.n_W;
   contact.p_WC = state.p_WB - ball.params.radius * gap.n_W;
   contact.v_other = frame.pointVelocity(contact.p_WC);
-  if (gap.rate < 0.0) bounce(world.surface(ball, shape), ball.params, state, contact.v_other, gap.n_W);
+  bounce(world.surface(ball, shape), ball.params, state, contact.v_other, gap.n_W);
   store(ball, state);
-  if (gap.rate < 0.0) record(world, contact, ball, t);
+  close(contact, ball);
 }
 
-void collideWithBody(WorldState& world, std::size_t b, double t)
+void collideWithBody(WorldState& world, std::size_t b, const BodyFrame& frame, double t)
 {
   const BodyRecord& body = world.bodies[b];
-  const BodyFrame frame = body.moving ? frameAt(body.motion, t - body.motion.start) : BodyFrame();
   for (BallRecord& ball : world.balls)
     for (std::size_t s = 0; s < body.shapes().size(); ++s)
     {
@@ -129,6 +144,17 @@ void collideWithBody(WorldState& world, std::size_t b, double t)
       const Vector3d p_BQ = body.moving ? Vector3d(frame.R_WB.transpose() * (p_WB - frame.p_WB)) : p_WB;
       if (!clearOf(body.shapes()[s], p_BQ, ball.params.radius)) collideWithShape(world, ball, b, s, frame, t);
     }
+}
+
+void collideWithBodies(WorldState& world, double t)
+{
+  static const BodyFrame kStill;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b)
+  {
+    const BodyMotion& motion = world.bodies[b].motion;
+    world.bodies[b].moving ? collideWithBody(world, b, frameAt(motion, t - motion.start), t)
+                           : collideWithBody(world, b, kStill, t);
+  }
 }
 
 void collidePair(WorldState& world, BallRecord& a, BallRecord& b, double t)
@@ -142,19 +168,20 @@ void collidePair(WorldState& world, BallRecord& a, BallRecord& b, double t)
   state_a.p_WB += share * overlap * n;
   state_b.p_WB -= (1.0 - share) * overlap * n;
   const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
-  Contact contact;
-  contact.with_ball = true;
-  contact.other_ball = b.id;
-  contact.n_W = n;
-  contact.p_WC = state_a.p_WB - a.params.radius * n;
-  contact.v_other = state_b.v_WB + state_b.w_WB.cross(contact.p_WC - state_b.p_WB);
-  contact.v_before = state_a.v_WB;
-  contact.w_before = state_a.w_WB;
-  const Surface& law = world.surface(a, b);
-  if (closing > 0.0) part(law, law.restitutionAt(closing) * closing, a.params, state_a, b.params, state_b, n);
+  if (closing > 0.0)
+  {
+    Contact& contact = open(world, a, t);
+    contact.with_ball = true;
+    contact.other_ball = b.id;
+    contact.n_W = n;
+    contact.p_WC = state_a.p_WB - a.params.radius * n;
+    contact.v_other = state_b.v_WB + state_b.w_WB.cross(contact.p_WC - state_b.p_WB);
+    const Surface& law = world.surface(a, b);
+    part(law, law.restitutionAt(closing) * closing, a.params, state_a, b.params, state_b, n);
+  }
   store(a, state_a);
   store(b, state_b);
-  if (closing > 0.0) record(world, contact, a, t);
+  if (closing > 0.0) close(world.contacts.back(), a);
 }
 
 void collidePairs(WorldState& world, double t)
@@ -186,7 +213,7 @@ void runFixedStep(WorldState& world, double end)
   {
     const double to = i == count ? end : world.time + h * static_cast<double>(i);
     flyAll(world, h);
-    for (std::size_t b = 0; b < world.bodies.size(); ++b) collideWithBody(world, b, to);
+    collideWithBodies(world, to);
     collidePairs(world, to);
   }
   for (BallRecord& ball : world.balls) ball.path.start = end;
