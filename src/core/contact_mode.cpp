@@ -166,6 +166,15 @@ void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallStat
   path.alpha_WB = (end.w_WB - state.w_WB) / h;
   path.end = t + h;
 }
+// A step that is far too long for the forces ends nowhere: the ball then keeps its velocity, and the status tells of it.
+void flyStep(BallRecord& ball, const BallState& state, double t, const FlightModel& model, double h)
+{
+  ball.path = flyRk4(state, t, model, h);
+  ball.overflows = !ball.path.position(h).allFinite() || !ball.path.velocity(h).allFinite();
+  if (!ball.overflows) return;
+  ball.path = flyParabola(state, t, Vector3d::Zero());
+  ball.path.end = t + h;
+}
 }  // namespace
 
 bool bouncingEnds(double rate, double press, double touch_tolerance)
@@ -196,8 +205,10 @@ void planPath(const WorldState& world, BallRecord& ball, BallState state, double
   const FlightModel model(world.scene.forces, ball.params);
   if (ball.supports.none())
   {
-    ball.path = world.scene.method == Method::Rk4Located ? flyRk4(state, t, model, world.scene.dt)
-                                                         : fly(state, t, model, world.scene.tolerance, ball.step);
+    if (world.scene.method == Method::Rk4Located)
+      flyStep(ball, state, t, model, world.scene.dt);
+    else
+      ball.path = fly(state, t, model, world.scene.tolerance, ball.step);
     return;
   }
   const Vector3d free = model.acceleration(state.v_WB, state.w_WB);

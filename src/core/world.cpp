@@ -203,7 +203,11 @@ StepStatus World::advance(double duration)
     world.time = next;
     releaseSqueezed(world);
   }
-  for (const BallRecord& ball : world.balls) world.status.squeezed += ball.squeezed;
+  for (const BallRecord& ball : world.balls)
+  {
+    world.status.squeezed += ball.squeezed;
+    world.status.not_finite |= ball.overflows;
+  }
   return world.status;
 }
 

@@ -46,6 +46,7 @@ struct BallRecord
   Supports supports;
   bool squeezed = false;
   double step = 0.0;  ///< length of the next piece of flight through air, 0: unknown [s]
+  bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
   Event next;         ///< with still bodies and balls; holds until the path changes
   Event next_moving;  ///< with moving bodies; holds for this window
   unsigned version = 0;

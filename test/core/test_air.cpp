@@ -1,4 +1,5 @@
 // Flight through air: closed forms, and agreement with an independent integration in long double.
+#include <gtest/gtest.h>
 #include <random>
 
 #include "air_shots.h"

@@ -1,4 +1,6 @@
 // A ball dropped on a floor: energy, phase, apex heights, time to rest, rest.
+#include <gtest/gtest.h>
+
 #include "scene_builder.h"
 
 namespace ping_pong

@@ -1,4 +1,6 @@
 // Flight in vacuum: `exact` is the parabola; both Euler methods miss it by g h T / 2, one above and one below.
+#include <gtest/gtest.h>
+
 #include "ping_pong_sim/scene_loader.h"
 #include "scene_builder.h"
 

@@ -1,4 +1,5 @@
 // The ladder of methods: order in the air and through bounces, states between steps, time reversal.
+#include <gtest/gtest.h>
 #include <functional>
 
 #include "air_shots.h"

@@ -1,4 +1,5 @@
 // The same scene gives the same bits on every run; the order of lists does not matter.
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cstring>
 

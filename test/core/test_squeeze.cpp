@@ -1,4 +1,6 @@
 // Overlap from outside and no room left: refused, pushed out without speed, reported.
+#include <gtest/gtest.h>
+
 #include "scene_builder.h"
 
 namespace ping_pong
