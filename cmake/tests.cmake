@@ -41,6 +41,7 @@ foreach(name
     paddle_blocking
     flight
     ladder
+    allocations
     bouncing
     large_numbers
     tunnelling
