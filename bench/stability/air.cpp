@@ -18,12 +18,13 @@ World inAir(Method method, double dt, const Forces& forces, const Vector3d& v, c
 
 double fastDragError(Method method, double dt)
 {
-  constexpr double kSpeed = 1e4, kEnd = 0.1;  // [m/s], [s]
+  constexpr double kSpeed = 1e4, kEnd = 0.1, kDrag = 0.53;  // [m/s], [s], C_D
   Forces forces;
   forces.drag = true;
+  forces.drag_law = DragLaw::constant(kDrag);
   World world = inAir(method, dt, forces, {kSpeed, 0, 0}, {0, 0, 0});
   world.advance(kEnd);
-  const double k = 0.5 * forces.air_density * kPi * kR * kR * forces.drag_law.constant / kBallMass;  // [1/m]
+  const double k = 0.5 * forces.air_density * kPi * kR * kR * kDrag / kBallMass;  // [1/m]
   const double truth = kSpeed / (1.0 + k * kSpeed * kEnd);
   return (velocityOf(world) - Vector3d(truth, 0, 0)).norm() / truth;
 }

@@ -73,6 +73,7 @@ Segment flyRk4(const BallState& state, double start, const FlightModel& model, d
   path.degree = 4;
   path.c[3] = (4.0 * p - v) / (h * h * h);
   path.c[4] = (v - 3.0 * p) / (h * h * h * h);
+  path.boundAcceleration();
   return path;
 }
 
