@@ -20,7 +20,7 @@ function(add_core_test name)
     catkin_add_gtest(${target} test/core/test_${name}.cpp)
     target_link_libraries(${target} gtest_main)
   endif()
-  target_link_libraries(${target} ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
+  target_link_libraries(${target} ${PROJECT_NAME}_stability ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
   add_dependencies(${target} ${PROJECT_NAME}_simulate ${PROJECT_NAME}_validate)  # some run them
   target_include_directories(${target} PRIVATE test/core src/core)
   target_compile_definitions(${target} PRIVATE
@@ -40,6 +40,8 @@ foreach(name
     paddle_drive
     paddle_blocking
     flight
+    ladder
+    allocations
     bouncing
     large_numbers
     tunnelling
@@ -53,6 +55,7 @@ foreach(name
     resting
     over_the_edge
     squeeze
+    stability
     air
     friction
     properties

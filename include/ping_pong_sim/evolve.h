@@ -15,10 +15,6 @@ Segment flyParabola(const BallState& state, double start, const Vector3d& a);
 /// @param step       in: length to try, 0 if unknown; out: length that will do next time [s]
 void fly(const BallState& state, double start, const FlightModel& model, double tolerance, double& step, Segment& path);
 
-/// One fixed step of the sampled methods. Explicit: x += v h, v += a h. Semi-implicit: v += a h, x += v h.
-void stepExplicit(BallState& state, const FlightModel& model, double h);
-void stepSemiImplicit(BallState& state, const FlightModel& model, double h);
-
 /// Orientation after turning with constant spin w (in W) for s [s].
 Quaterniond turned(const Quaterniond& q, const Vector3d& w, double s);
 }  // namespace ping_pong

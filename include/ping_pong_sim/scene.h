@@ -1,6 +1,7 @@
 // A scene: what is in the world, which forces and contact laws act, and which method runs it. It names all that is computed.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,21 @@ enum class Method
 {
   EulerExplicit,      ///< x += v h; v += a h; contacts at step ends
   EulerSemiImplicit,  ///< v += a h; x += v h; contacts at step ends
-  Exact               ///< closed-form flight, contacts located and handled event by event
+  Verlet,             ///< velocity Verlet; contacts at step ends
+  Rk4,                ///< classic Runge-Kutta; contacts at step ends
+  Rk4Located,         ///< classic Runge-Kutta; contacts located inside the step, as in `exact`
+  Exact               ///< closed form or polynomials of controlled error; contacts located and handled event by event
 };
+
+/// From the simplest to the best.
+constexpr std::array<Method, 6> kMethods = {Method::EulerExplicit, Method::EulerSemiImplicit, Method::Verlet,
+                                            Method::Rk4,           Method::Rk4Located,        Method::Exact};
+
+/// Contacts are found where they happen, and balls come to rest; else they are looked for at step ends only.
+constexpr bool locatesContacts(Method method)
+{
+  return method == Method::Rk4Located || method == Method::Exact;
+}
 
 /// What happens when two materials meet. What a scene does not name stays at the default and is not computed.
 struct Surface
@@ -69,11 +83,13 @@ struct Scene
   std::vector<Body> bodies;  ///< the floor, if any, is the static body "floor" with one HalfSpace
   std::vector<SceneBall> balls;
   Method method = Method::Exact;
-  double dt = 1e-3;         ///< longest step of the fixed-step methods [s]
+  double dt = 1e-3;         ///< longest step of all methods but `exact` [s]
   double tolerance = 1e-6;  ///< of `exact` where the path has no closed form: position error over a rally of about a second [m]
 };
 
 const char* name(Method method);
+/// All names, from the simplest to the best, with a comma between them.
+std::string methodNames();
 /// Throws std::invalid_argument that lists the known names.
 Method methodFromName(const std::string& text);
 }  // namespace ping_pong

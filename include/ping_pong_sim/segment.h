@@ -19,6 +19,7 @@ struct Segment
   int degree = 0;
   std::array<Vector3d, kMaxDegree + 1> c = zeros();            ///< [m/s^k], in W
   Quaterniond q_WB = Quaterniond::Identity();                  ///< orientation at s = 0
+  Vector3d turn_WB = Vector3d::Zero();                         ///< turning before s = 0 that is not in q_WB yet [rad]
   Vector3d w_WB = Vector3d::Zero();                            ///< spin at s = 0 [rad/s]
   Vector3d alpha_WB = Vector3d::Zero();                        ///< on a surface [rad/s^2]
   double spin_decay = 0.0;                                     ///< in the air [1/s]

@@ -169,7 +169,7 @@ ExitStatus simulateOrHelp(int argc, char** argv)
 {
   const SimulateOptions options = parseSimulateOptions(argc, argv);
   if (!options.help) return simulate(options);
-  const bool written = std::fputs(kSimulateHelp, stdout) >= 0 && std::fflush(stdout) == 0;
+  const bool written = std::fputs(kSimulateHelp.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
   return written ? kWhole : kOutputFailed;
 }
 }  // namespace

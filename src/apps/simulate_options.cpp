@@ -107,14 +107,14 @@ void checkComplete(const SimulateOptions& options)
 }
 }  // namespace
 
-const char* const kSimulateHelp =
+const std::string kSimulateHelp =
     "usage: simulate SCENE.yaml --duration T [options]\n"
     "Runs a scene and writes the state of each ball as CSV to standard output, from t = 0, and a summary to standard\n"
     "error. SI units, radians; frame `world`.\n"
     "  --duration T      simulated time [s], required\n"
     "  --rate R          rows per second and ball [Hz], default 100; row k is at k / R\n"
-    "  --method M        instead of the scene's: euler_explicit, euler_semi_implicit, exact\n"
-    "  --dt H            longest step of the fixed-step methods [s], instead of the scene's\n"
+    "  --method M        instead of the scene's: " + methodNames() + "\n"
+    "  --dt H            longest step of all methods but `exact` [s], instead of the scene's\n"
     "  --tolerance E     position error that `exact` may have after a rally [m], instead of the scene's\n"
     "  --seed N          of random patterns, instead of the scene's\n"
     "  --contacts FILE   writes each impact as CSV to FILE\n"

@@ -30,7 +30,7 @@ struct SimulateOptions
   bool help = false;
 };
 
-extern const char* const kSimulateHelp;
+extern const std::string kSimulateHelp;
 
 /// Throws UsageError.
 SimulateOptions parseSimulateOptions(int argc, char** argv);

@@ -18,6 +18,15 @@ bool before(const BroadPhase::Pair& p, const BroadPhase::Pair& q)
 }
 }  // namespace
 
+void BroadPhase::reserve(std::size_t boxes)
+{
+  start_.reserve(static_cast<std::size_t>(kCellsPerBox) * boxes + 3);
+  entries_.reserve(8 * boxes);
+  large_.reserve(boxes);
+  ranges_.reserve(boxes);
+  pairs_.reserve(8 * boxes);
+}
+
 void BroadPhase::layOut(const std::vector<Box>& boxes)
 {
   const double n = static_cast<double>(boxes.size());

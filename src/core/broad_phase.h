@@ -38,6 +38,7 @@ public:
     std::uint32_t a, b;  ///< a < b
   };
 
+  void reserve(std::size_t boxes);
   /// Every pair of boxes that overlap, once, sorted.
   const std::vector<Pair>& findPairs(const std::vector<Box>& boxes);
   /// Indices of those boxes of the last findPairs() that overlap this one, in no order; may tell one twice.

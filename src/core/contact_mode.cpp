@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "held_motion.h"
+#include "ping_pong_sim/fixed_flight.h"
 
 namespace ping_pong
 {
@@ -168,6 +169,24 @@ void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallStat
   path.boundAcceleration();
 }
 
+// A step that is far too long for the forces ends nowhere: the ball then keeps its velocity, and the status tells of it.
+void flyStep(BallRecord& ball, const BallState& state, double t, double h)
+{
+  ball.path = flyRk4(state, t, ball.model, h);
+  ball.overflows = !ball.path.position(h).allFinite() || !ball.path.velocity(h).allFinite();
+  if (!ball.overflows) return;
+  ball.path = flyParabola(state, t, Vector3d::Zero());
+  ball.path.end = t + h;
+}
+
+void planFlight(const WorldState& world, BallRecord& ball, const BallState& state, double t)
+{
+  if (world.scene.method == Method::Rk4Located)
+    flyStep(ball, state, t, world.scene.dt);
+  else
+    fly(state, t, ball.model, world.scene.tolerance, ball.step, ball.path);
+}
+
 // The path of a ball that lay on surfaces; it may leave some of them now, or all.
 void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
 {
@@ -176,7 +195,7 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
   HeldMotion motion = heldMotion(world, ball, state, t, 0.0, bounds);
   for (std::size_t i = ball.supports.count; i-- > 0;)
     if (!bounds.loaded[i]) ball.supports.remove(i);
-  if (ball.supports.none()) return fly(state, t, ball.model, world.scene.tolerance, ball.step, ball.path);
+  if (ball.supports.none()) return planFlight(world, ball, state, t);
   const Vector3d free = ball.model.acceleration(state.v_WB, state.w_WB);
   motion.a = cleaned(motion.a, free);
   motion.alpha = cleaned(ball.params.radius * motion.alpha, free) / ball.params.radius;
@@ -205,7 +224,7 @@ void planPath(const WorldState& world, BallRecord& ball, const BallState& state,
   ++ball.version;
   ball.passing = Passing();
   if (ball.supports.none())
-    fly(state, t, ball.model, world.scene.tolerance, ball.step, ball.path);
+    planFlight(world, ball, state, t);
   else
     planHeldPath(world, ball, state, t, window_end);
 }

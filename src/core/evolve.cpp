@@ -29,13 +29,6 @@ void bendBy(const Vector3d& a, Segment& path)
   path.a_low = path.a_high = a;
 }
 
-// What turns and slows the spin in one fixed step.
-void stepSpin(BallState& state, const FlightModel& model, double h)
-{
-  state.q_WB = turned(state.q_WB, state.w_WB, h);
-  if (model.spinDecay() > 0.0) state.w_WB *= std::exp(-model.spinDecay() * h);
-}
-
 // Collocation at N Gauss-Legendre points of (0, 1): the polynomial of degree N - 1 through the accelerations there.
 template <int N>
 struct Points
@@ -243,21 +236,6 @@ void fly(const BallState& state, double start, const FlightModel& model, double 
   else
     flyThroughAir<8>(model, tolerance, path, step);
   path.boundAcceleration();
-}
-
-void stepExplicit(BallState& state, const FlightModel& model, double h)
-{
-  const Vector3d a = model.acceleration(state.v_WB, state.w_WB);
-  state.p_WB += state.v_WB * h;
-  state.v_WB += a * h;
-  stepSpin(state, model, h);
-}
-
-void stepSemiImplicit(BallState& state, const FlightModel& model, double h)
-{
-  state.v_WB += model.acceleration(state.v_WB, state.w_WB) * h;
-  state.p_WB += state.v_WB * h;
-  stepSpin(state, model, h);
 }
 
 Quaterniond turned(const Quaterniond& q, const Vector3d& w, double s)

@@ -311,6 +311,7 @@ void startWindow(WorldState& world, double end)
 
 void restartExact(WorldState& world)
 {
+  if (world.balls.size() > 1) world.islands.reserve(world.balls.size());
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
     BallRecord& ball = world.balls[i];

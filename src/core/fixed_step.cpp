@@ -2,122 +2,213 @@
 
 #include <cmath>
 
+#include "ping_pong_sim/evolve.h"
+#include "ping_pong_sim/fixed_flight.h"
 #include "ping_pong_sim/resolve.h"
 
 namespace ping_pong
 {
 namespace
 {
-bool finite(const BallState& state)
+// Between steps a ball is the start of its path: c[0], c[1] and w_WB. Its orientation is worked out when somebody asks
+// for it; until then turns add up, up to this: beyond, their rounding would show.
+constexpr double kLongestTurn = 10.0;  // [rad]
+
+using Step = void (*)(BallState&, const FlightModel&, double);
+
+void turnNow(Segment& path)
 {
-  return state.p_WB.allFinite() && state.v_WB.allFinite();
+  path.q_WB = turned(path.q_WB, path.turn_WB, 1.0);
+  path.turn_WB.setZero();
 }
 
-void record(WorldState& world, Contact contact, const BallRecord& ball, double t)
+BallState stateOf(const BallRecord& ball)
 {
+  return {ball.path.c[0], ball.path.q_WB, ball.path.c[1], ball.path.w_WB};
+}
+
+void store(BallRecord& ball, const BallState& state)
+{
+  Segment& path = ball.path;
+  if (path.w_WB != state.w_WB) turnNow(path);  // from now on it turns about another axis
+  path.c[0] = state.p_WB;
+  path.c[1] = state.v_WB;
+  path.w_WB = state.w_WB;
+}
+
+// A new record of what happens to the ball now, with its velocities before.
+Contact& open(WorldState& world, const BallRecord& ball, double t)
+{
+  Contact& contact = world.contacts.emplace_back();
   contact.time = t;
   contact.ball = ball.id;
-  contact.impulse = ball.params.mass * (contact.v_after - contact.v_before);
-  world.contacts.push_back(contact);
+  contact.v_before = ball.path.c[1];
+  contact.w_before = ball.path.w_WB;
   ++world.status.contacts;
+  return contact;
 }
 
-// Closest point, push out, reflect with loss.
-void collideWithBodies(WorldState& world, const BallRecord& ball, BallState& state, double t)
+void close(Contact& contact, const BallRecord& ball)
 {
-  for (std::size_t b = 0; b < world.bodies.size(); ++b)
+  contact.v_after = ball.path.c[1];
+  contact.w_after = ball.path.w_WB;
+  contact.impulse = ball.params.mass * (contact.v_after - contact.v_before);
+}
+
+// --- evolve ---
+
+template <Step step>
+void fly(WorldState& world, double h)
+{
+  for (BallRecord& ball : world.balls)
   {
-    const BodyRecord& body = world.bodies[b];
-    const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
-    for (std::size_t s = 0; s < body.shapes().size(); ++s)
+    Segment& path = ball.path;
+    BallState state = stateOf(ball);
+    step(state, ball.model, h);
+    if (!std::isfinite(state.p_WB.sum() + state.v_WB.sum()))  // the ball keeps its last finite state
     {
-      const Shape& shape = body.shapes()[s];
-      const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
-      if (gap.gap >= 0.0) continue;
-      state.p_WB -= gap.gap * gap.n_W;
-      if (gap.rate >= 0.0) continue;
-      Contact contact;
-      contact.body = b;
-      contact.shape = s;
-      contact.n_W = gap.n_W;
-      contact.p_WC = state.p_WB - ball.params.radius * gap.n_W;
-      contact.v_other = frame.pointVelocity(contact.p_WC);
-      contact.v_before = state.v_WB;
-      contact.w_before = state.w_WB;
-      bounce(world.surface(ball, shape), ball.params, state, contact.v_other, gap.n_W);
-      contact.v_after = state.v_WB;
-      contact.w_after = state.w_WB;
-      record(world, contact, ball, t);
+      world.status.not_finite = true;
+      continue;
     }
+    path.c[0] = state.p_WB;
+    path.c[1] = state.v_WB;
+    if (path.w_WB.isZero(0.0)) continue;
+    path.turn_WB += turnIn(path.w_WB, ball.model.spinDecay(), h);
+    path.w_WB = state.w_WB;
+    if (path.turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
   }
 }
 
-void collidePair(WorldState& world, const BallRecord& a, BallState& state_a, const BallRecord& b, BallState& state_b,
-                 double t)
+void flyAll(WorldState& world, double h)
 {
+  switch (world.scene.method)
+  {
+    case Method::EulerExplicit:
+      return fly<stepExplicit>(world, h);
+    case Method::EulerSemiImplicit:
+      return fly<stepSemiImplicit>(world, h);
+    case Method::Verlet:
+      return fly<stepVerlet>(world, h);
+    default:
+      return fly<stepRk4>(world, h);
+  }
+}
+
+// --- detect and resolve ---
+
+// The ball is clear of the box around the shape: true for nearly every step, and cheap. Place and shape in the body
+// frame.
+bool clearOf(const Shape& shape, const Vector3d& p_BQ, double radius)
+{
+  const Vector3d q = shape.R_BS.transpose() * (p_BQ - shape.p_BS);
+  if (shape.kind == ShapeKind::HalfSpace) return q.z() >= radius;
+  return ((q.cwiseAbs() - shape.half_size).array() >= radius).any();
+}
+
+// A still body's shapes are in the world frame.
+Gap gapOf(const BodyRecord& body, const Shape& shape, const BodyFrame& frame, const BallState& ball, double radius)
+{
+  if (body.moving) return gapTo(shape, frame, ball.p_WB, ball.v_WB, radius);
+  const Proximity near = proximity(shape, ball.p_WB);
+  return {near.distance - radius, near.normal.dot(ball.v_WB), near.normal};
+}
+
+// Closest point, push out, reflect with loss.
+void collideWithShape(WorldState& world, BallRecord& ball, std::size_t b, std::size_t s, const BodyFrame& frame,
+                      double t)
+{
+  const Shape& shape = world.bodies[b].shapes()[s];
+  BallState state = stateOf(ball);
+  const Gap gap = gapOf(world.bodies[b], shape, frame, state, ball.params.radius);
+  if (gap.gap >= 0.0) return;
+  state.p_WB -= gap.gap * gap.n_W;
+  if (gap.rate >= 0.0) return store(ball, state);
+  Contact& contact = open(world, ball, t);
+  contact.body = b;
+  contact.shape = s;
+  contact.n_W = gap.n_W;
+  contact.p_WC = state.p_WB - ball.params.radius * gap.n_W;
+  contact.v_other = frame.pointVelocity(contact.p_WC);
+  bounce(world.surface(ball, shape), ball.params, state, contact.v_other, gap.n_W);
+  store(ball, state);
+  close(contact, ball);
+}
+
+void collideWithBody(WorldState& world, std::size_t b, const BodyFrame& frame, double t)
+{
+  const BodyRecord& body = world.bodies[b];
+  for (BallRecord& ball : world.balls)
+    for (std::size_t s = 0; s < body.shapes().size(); ++s)
+    {
+      const Vector3d& p_WB = ball.path.c[0];
+      const Vector3d p_BQ = body.moving ? Vector3d(frame.R_WB.transpose() * (p_WB - frame.p_WB)) : p_WB;
+      if (!clearOf(body.shapes()[s], p_BQ, ball.params.radius)) collideWithShape(world, ball, b, s, frame, t);
+    }
+}
+
+void collideWithBodies(WorldState& world, double t)
+{
+  static const BodyFrame kStill;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b)
+  {
+    const BodyMotion& motion = world.bodies[b].motion;
+    world.bodies[b].moving ? collideWithBody(world, b, frameAt(motion, t - motion.start), t)
+                           : collideWithBody(world, b, kStill, t);
+  }
+}
+
+void collidePair(WorldState& world, BallRecord& a, BallRecord& b, double t)
+{
+  BallState state_a = stateOf(a), state_b = stateOf(b);
   const Vector3d d = state_a.p_WB - state_b.p_WB;
   const double distance = d.norm();
   const double overlap = a.params.radius + b.params.radius - distance;
-  if (overlap <= 0.0) return;
   const Vector3d n = distance > 0.0 ? Vector3d(d / distance) : Vector3d(Vector3d::UnitZ());
   const double share = b.params.mass / (a.params.mass + b.params.mass);  // the lighter ball gives way further
   state_a.p_WB += share * overlap * n;
   state_b.p_WB -= (1.0 - share) * overlap * n;
   const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
-  if (closing <= 0.0) return;
-  Contact contact;
-  contact.with_ball = true;
-  contact.other_ball = b.id;
-  contact.n_W = n;
-  contact.p_WC = state_a.p_WB - a.params.radius * n;
-  contact.v_other = state_b.v_WB + state_b.w_WB.cross(contact.p_WC - state_b.p_WB);
-  contact.v_before = state_a.v_WB;
-  contact.w_before = state_a.w_WB;
-  const Surface& law = world.surface(a, b);
-  part(law, law.restitutionAt(closing) * closing, a.params, state_a, b.params, state_b, n);
-  contact.v_after = state_a.v_WB;
-  contact.w_after = state_a.w_WB;
-  record(world, contact, a, t);
-}
-
-// The path of a sampled ball is a straight line from its last state; only its start is ever read.
-void store(WorldState& world, BallRecord& ball, const BallState& state, double t)
-{
-  if (finite(state))
-    ball.path = flyParabola(state, t, Vector3d::Zero());
-  else
-    world.status.not_finite = true;
-  ball.path.start = t;
-}
-
-void step(WorldState& world, std::vector<BallState>& states, double from, double h, double to)
-{
-  const bool semi_implicit = world.scene.method == Method::EulerSemiImplicit;
-  for (std::size_t i = 0; i < states.size(); ++i)
+  if (closing > 0.0)
   {
-    states[i] = world.balls[i].stateAt(from);
-    const FlightModel model(world.scene.forces, world.balls[i].params);
-    semi_implicit ? stepSemiImplicit(states[i], model, h) : stepExplicit(states[i], model, h);
-    collideWithBodies(world, world.balls[i], states[i], to);
+    Contact& contact = open(world, a, t);
+    contact.with_ball = true;
+    contact.other_ball = b.id;
+    contact.n_W = n;
+    contact.p_WC = state_a.p_WB - a.params.radius * n;
+    contact.v_other = state_b.v_WB + state_b.w_WB.cross(contact.p_WC - state_b.p_WB);
+    const Surface& law = world.surface(a, b);
+    part(law, law.restitutionAt(closing) * closing, a.params, state_a, b.params, state_b, n);
   }
-  for (std::size_t i = 0; i < states.size(); ++i)
-    for (std::size_t k = i + 1; k < states.size(); ++k)
-      collidePair(world, world.balls[i], states[i], world.balls[k], states[k], to);
-  for (std::size_t i = 0; i < states.size(); ++i) store(world, world.balls[i], states[i], to);
+  store(a, state_a);
+  store(b, state_b);
+  if (closing > 0.0) close(world.contacts.back(), a);
+}
+
+void collidePairs(WorldState& world, double t)
+{
+  for (std::size_t i = 0; i < world.balls.size(); ++i)
+    for (std::size_t k = i + 1; k < world.balls.size(); ++k)
+    {
+      BallRecord& a = world.balls[i];
+      BallRecord& b = world.balls[k];
+      const double reach = a.params.radius + b.params.radius;
+      if ((a.path.c[0] - b.path.c[0]).squaredNorm() < reach * reach) collidePair(world, a, b, t);
+    }
 }
 }  // namespace
 
 void runFixedStep(WorldState& world, double end)
 {
-  std::vector<BallState> states(world.balls.size());
   const double duration = end - world.time;
   const long count = std::max(1L, std::lround(std::ceil(duration / world.scene.dt - 1e-9)));
-  double from = world.time;
+  const double h = duration / static_cast<double>(count);
   for (long i = 1; i <= count; ++i)
   {
-    const double to = i == count ? end : world.time + duration * static_cast<double>(i) / static_cast<double>(count);
-    step(world, states, from, duration / static_cast<double>(count), to);
-    from = to;
+    const double to = i == count ? end : world.time + h * static_cast<double>(i);
+    flyAll(world, h);
+    collideWithBodies(world, to);
+    collidePairs(world, to);
   }
+  for (BallRecord& ball : world.balls) ball.path.start = end;
 }
 }  // namespace ping_pong

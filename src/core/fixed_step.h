@@ -1,4 +1,4 @@
-// The fixed-step methods: step, then look for overlaps, push out and reflect. What everybody writes first.
+// The methods that sample contacts: step, then look for overlaps, push out and reflect. What everybody writes first.
 #pragma once
 
 #include "world_state.h"

@@ -35,11 +35,12 @@ Vector3d bounce(const Surface& law, const BallParams& ball, BallState& state, co
   const double closing = -n_W.dot(relative);
   if (closing <= 0.0) return Vector3d::Zero();
   const double normal = (1.0 + law.restitutionAt(closing)) * ball.mass * closing;
+  state.v_WB += normal / ball.mass * n_W;
+  if (law.friction == 0.0) return normal * n_W;
   const Vector3d slip = tangential(relative, n_W) - ball.radius * state.w_WB.cross(n_W);
   const double k = ball.inertia;
   const Vector3d sideways = tangentialImpulse(law, slip, ball.mass * k / (1.0 + k), normal);
-  state.v_WB += normal / ball.mass * n_W;
-  if (law.friction > 0.0) apply(ball, state, n_W, sideways);
+  apply(ball, state, n_W, sideways);
   return normal * n_W + sideways;
 }
 

@@ -1,34 +1,40 @@
 #include "ping_pong_sim/scene.h"
 
 #include <stdexcept>
-#include <utility>
 
 namespace ping_pong
 {
-namespace
-{
-constexpr std::pair<Method, const char*> kMethods[] = {
-    {Method::EulerExplicit, "euler_explicit"},
-    {Method::EulerSemiImplicit, "euler_semi_implicit"},
-    {Method::Exact, "exact"},
-};
-}  // namespace
-
 const char* name(Method method)
 {
-  for (const auto& [known, text] : kMethods)
-    if (known == method) return text;
+  switch (method)
+  {
+    case Method::EulerExplicit:
+      return "euler_explicit";
+    case Method::EulerSemiImplicit:
+      return "euler_semi_implicit";
+    case Method::Verlet:
+      return "verlet";
+    case Method::Rk4:
+      return "rk4";
+    case Method::Rk4Located:
+      return "rk4_located";
+    case Method::Exact:
+      return "exact";
+  }
   return "unknown";
+}
+
+std::string methodNames()
+{
+  std::string names;
+  for (const Method method : kMethods) names += (names.empty() ? "" : ", ") + std::string(name(method));
+  return names;
 }
 
 Method methodFromName(const std::string& text)
 {
-  std::string known_names;
-  for (const auto& [method, known] : kMethods)
-  {
-    if (text == known) return method;
-    known_names += known_names.empty() ? known : std::string(", ") + known;
-  }
-  throw std::invalid_argument("expected one of: " + known_names);
+  for (const Method method : kMethods)
+    if (text == name(method)) return method;
+  throw std::invalid_argument("expected one of: " + methodNames());
 }
 }  // namespace ping_pong

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ping_pong_sim/evolve.h"
+#include "ping_pong_sim/fixed_flight.h"
 
 namespace ping_pong
 {
@@ -42,8 +43,7 @@ BallState Segment::state(double s) const
 {
   if (w_WB.isZero(0.0) && alpha_WB.isZero(0.0)) return {position(s), q_WB, velocity(s), w_WB};
   // Exact where the axis keeps its direction; a ball that starts to roll while it spins about the normal turns nearly so.
-  const double time_of_decay = spin_decay > 0.0 ? -std::expm1(-spin_decay * s) / spin_decay : s;
-  const Vector3d turn = time_of_decay * w_WB + (0.5 * s * s) * alpha_WB;
+  const Vector3d turn = turn_WB + turnIn(w_WB, spin_decay, s) + (0.5 * s * s) * alpha_WB;
   return {position(s), turned(q_WB, turn, 1.0), velocity(s), spin(s)};
 }
 

@@ -15,6 +15,8 @@ namespace
 // Paddles that move are given a new motion at least so often, however long the tick.
 constexpr double kLongestMotion = 5e-3;  // [s]
 
+constexpr std::size_t kContactsInATick = 64;  // room for so many and one a ball
+
 std::string refuseState(const BallState& state)
 {
   if (!state.p_WB.allFinite()) return "position: not finite; expected three finite numbers [m]";
@@ -42,6 +44,7 @@ struct World::Impl : WorldState
   Scene loaded;
   BallId next_id = 0;
   double time_rest = 0.0;  // what rounding took from time: N ticks of h end at N h
+  std::vector<Obstacle> obstacles;  // of the window: kept, so that no step allocates
 
   void start();
   BallRecord& add(const BallParams& params, const BallState& state);
@@ -60,7 +63,7 @@ void World::Impl::start()
   next_id = 0;
   contacts.clear();
   contact_of.clear();
-  islands = IslandRecords();
+  islands.length = IslandRecords::kFirstLength;
   status = StepStatus();
   balls.clear();
   bodies.clear();
@@ -72,7 +75,7 @@ void World::Impl::start()
     bodies.push_back(record);
   }
   for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
-  if (scene.method == Method::Exact) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
+  if (locatesContacts(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
   plan();
 }
 
@@ -86,7 +89,10 @@ BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
 
 void World::Impl::plan()
 {
-  if (scene.method == Method::Exact) restartExact(*this);
+  contacts.reserve(kContactsInATick + balls.size());
+  contact_of.reserve(contacts.capacity());
+  obstacles.reserve(bodies.size());
+  if (locatesContacts(scene.method)) restartExact(*this);
 }
 
 // Neumaier's compensated sum.
@@ -113,7 +119,7 @@ double World::Impl::movePaddles(double end)
     work |= atWork(body);
   }
   if (!work) return end;
-  std::vector<Obstacle> obstacles;
+  obstacles.clear();
   for (const BodyRecord& body : bodies)
     if (body.body.kind == BodyKind::Static) obstacles.push_back({&body.body.shapes, body.motion.pose});
   const double pieces = std::max(1.0, std::ceil((end - time) / kLongestMotion - 1e-9));
@@ -145,7 +151,7 @@ double World::Impl::movePaddles(double end)
 
 void World::Impl::runMethod(double end)
 {
-  if (scene.method == Method::Exact)
+  if (locatesContacts(scene.method))
     runExact(*this, end);
   else
     runFixedStep(*this, end);
@@ -203,7 +209,11 @@ StepStatus World::advance(double duration)
     world.time = next;
     releaseSqueezed(world);
   }
-  for (const BallRecord& ball : world.balls) world.status.squeezed += ball.squeezed;
+  for (const BallRecord& ball : world.balls)
+  {
+    world.status.squeezed += ball.squeezed;
+    world.status.not_finite |= ball.overflows;
+  }
   return world.status;
 }
 

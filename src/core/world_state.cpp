@@ -31,6 +31,18 @@ Box boxOf(const BallRecord& ball, double from, double to)
   return box;
 }
 
+void IslandRecords::reserve(std::size_t balls)
+{
+  broad_phase.reserve(balls);
+  alone.reserve(balls);
+  swept.reserve(balls);
+  saved.reserve(balls);
+  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &hit}) list->reserve(balls);
+  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) list->reserve(8 * balls);
+  settled.reserve(balls);
+  members.reserve(balls);
+}
+
 void placeBody(BodyRecord& body, Pose pose)
 {
   body.motion = BodyMotion();

@@ -48,6 +48,7 @@ struct BallRecord
   Supports supports;
   bool squeezed = false;
   double step = 0.0;  ///< length of the next piece of flight through air, 0: unknown [s]
+  bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
   Event next;         ///< with still bodies; holds until the path changes
   Event next_moving;  ///< with moving bodies; holds for this window
   Event next_ball;    ///< with balls of the same island; holds for this window
@@ -96,7 +97,9 @@ struct IslandRecords
 {
   static constexpr std::uint32_t kNotSaved = ~0u;
 
-  double length = 0.02;                    ///< of the next window [s]
+  static constexpr double kFirstLength = 0.02;  // [s]
+
+  double length = kFirstLength;            ///< of the next window [s]
   std::size_t pair_searches = 0;           ///< in this window
   BroadPhase broad_phase;
   std::vector<Box> alone;                  ///< swept by each ball if no other ball were there
@@ -110,6 +113,9 @@ struct IslandRecords
   std::vector<std::size_t> members;        ///< the island at work
   std::vector<std::uint32_t> found, near;  ///< balls in whose way an island's ball has come
   std::vector<std::uint32_t> hit;          ///< balls that another one has thrown off their path
+
+  /// Takes the memory for so many balls now, not while the world moves on.
+  void reserve(std::size_t balls);
 };
 
 struct WorldState

@@ -77,6 +77,21 @@ struct AirReference
     s.w += Vector3r(rub.y(), -rub.x(), 0.0L) / (k * radius);
   }
 
+  /// Flight and bounces on the floor z = 0 until `end`, for a thin shell.
+  State rally(State from, const Surface& law, Real end, int* bounces = nullptr) const
+  {
+    for (Real time = 0.0L;;)
+    {
+      State landed = from;
+      const Real flight = fallTo(radius, landed);
+      if (time + flight > end) return flown(from, end - time);
+      time += flight;
+      from = landed;
+      bounce(from, law.restitution, law.friction, law.tangential_restitution, 2.0L / 3.0L);
+      if (bounces) ++*bounces;
+    }
+  }
+
   State step(const State& from, Real h) const
   {
     constexpr int kColumns = 8;  // order 16

@@ -1,8 +1,6 @@
 // Scenes built in code: floor, boxes at any pose, paddles, balls, restitution per pair of materials.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdio>
 #include <limits>

@@ -1,7 +1,8 @@
 // Flight through air: closed forms, and agreement with an independent integration in long double.
+#include <gtest/gtest.h>
 #include <random>
 
-#include "air_reference.h"
+#include "air_shots.h"
 #include "ping_pong_sim/evolve.h"
 #include "scene_builder.h"
 
@@ -23,13 +24,6 @@ Scene inAir(const Forces& forces, const Vector3d& p, const Vector3d& v, const Ve
   return scene;
 }
 
-Forces onlyGravity()
-{
-  Forces forces;
-  forces.gravity = Vector3d(0, 0, -kG);
-  return forces;
-}
-
 Forces onlyDrag(double C_D)
 {
   Forces forces;
@@ -46,62 +40,7 @@ Forces withLinearLift(Forces forces, double slope)
   return forces;
 }
 
-Forces defaultAir()
-{
-  Forces forces = onlyGravity();
-  forces.drag = forces.magnus = true;
-  return forces;
-}
-
-// Everything at once, nothing along an axis.
-Forces fullAir(LiftLaw::Kind lift)
-{
-  Forces forces = defaultAir();
-  forces.buoyancy = forces.added_mass = true;
-  forces.spin_decay = 0.15;
-  forces.wind = Vector3d(0.3, -0.7, 0.2);
-  forces.lift_law.kind = lift;
-  if (lift == LiftLaw::Kind::Linear) forces.lift_law.slope = 0.6;
-  return forces;
-}
-
-AirReference referenceOf(const Forces& forces)
-{
-  AirReference reference;
-  reference.radius = kR;
-  reference.mass = kBallMass;
-  reference.density = forces.air_density;
-  reference.gravity = forces.gravity.cast<Real>();
-  reference.wind = forces.wind.cast<Real>();
-  reference.decay = forces.spin_decay;
-  reference.buoyancy = forces.buoyancy;
-  reference.added_mass = forces.added_mass;
-  const DragLaw drag = forces.drag_law;
-  if (forces.drag)
-    reference.C_D = [drag](Real S) {
-      return drag.with_spin - (drag.with_spin - drag.without_spin) / (1.0L + S * S / drag.half_at / drag.half_at);
-    };
-  const LiftLaw law = forces.lift_law;
-  if (forces.magnus && law.kind == LiftLaw::Kind::Linear) reference.C_L = [law](Real S) { return law.slope * S; };
-  if (forces.magnus && law.kind == LiftLaw::Kind::Constant) reference.C_L = [law](Real) { return law.constant; };
-  if (forces.magnus && law.kind == LiftLaw::Kind::Saturating)
-    reference.C_L = [law](Real S) { return law.slope * S / (1.0L + law.saturation * S); };
-  return reference;
-}
-
 constexpr LiftLaw::Kind kLaws[] = {LiftLaw::Kind::Saturating, LiftLaw::Kind::Linear, LiftLaw::Kind::Constant};
-
-// A shot of a rally: 3 to 25 m/s forwards, spin up to 120 rev/s about any axis.
-BallState randomShot(std::mt19937& random)
-{
-  std::uniform_real_distribution<double> part(-1.0, 1.0);
-  BallState shot;
-  shot.p_WB = Vector3d(-1.3 + 0.2 * part(random), 0.5 * part(random), 0.4 + 0.2 * part(random));
-  const double speed = 14.0 + 11.0 * part(random);
-  shot.v_WB = speed * Vector3d(1.0, 0.3 * part(random), 0.1 + 0.2 * part(random)).normalized();
-  shot.w_WB = 2.0 * kPi * 70.0 * Vector3d(part(random), part(random), part(random));
-  return shot;
-}
 
 // --- closed forms ---
 
@@ -367,33 +306,17 @@ Vector3d endOfRally(const BallState& shot, double tolerance)
   return positionOf(world);
 }
 
-Vector3r trueEndOfRally(const BallState& shot, int& bounces)
-{
-  const AirReference reference = referenceOf(fullAir(LiftLaw::Kind::Saturating));
-  AirReference::State truth = stateOf(shot);
-  Real time = 0.0L;
-  for (;; ++bounces)
-  {
-    AirReference::State landed = truth;
-    const Real flight = reference.fallTo(kR, landed);
-    if (time + flight > kRally) break;
-    time += flight;
-    truth = landed;
-    reference.bounce(truth, kTable.restitution, kTable.friction, 0.0L, 2.0L / 3.0L);
-  }
-  return reference.flown(truth, kRally - time).p;
-}
-
 TEST(AirReference, ToleranceIsKeptToTheEndOfARally)
 {
   std::mt19937 random(11);
   std::vector<BallState> shots(60);
   std::vector<Vector3r> truths;
   int bounces = 0;
+  const AirReference reference = referenceOf(fullAir(LiftLaw::Kind::Saturating));
   for (BallState& shot : shots)
   {
     shot = randomShot(random);
-    truths.push_back(trueEndOfRally(shot, bounces));
+    truths.push_back(reference.rally(stateOf(shot), kTable, kRally, &bounces).p);
   }
   EXPECT_GE(bounces, 60);
   for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11})

@@ -1,4 +1,6 @@
 // A ball dropped on a floor: energy, phase, apex heights, time to rest, rest.
+#include <gtest/gtest.h>
+
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -173,7 +175,7 @@ TEST(Bouncing, EachPairOfMaterialsHasItsOwnRestitution)
   builder.gravity(kG).restitution(0.8).restitution("ball", "rubber", 0.5).restitution("lead", "rubber", 0.1);
   builder.box("wood", {1, 1, 0.1}, at({0, 0, -0.05})).box("mat", {1, 1, 0.1}, at({2, 0, -0.05}), "rubber");
   builder.ball({0, 0, kR + kDrop}).ball({2, 0, kR + kDrop}).ball({2.2, 0, kR + kDrop}, {0, 0, 0}, 0.1, kR, "lead");
-  for (const Method method : {Method::Exact, Method::EulerExplicit, Method::EulerSemiImplicit})
+  for (const Method method : kMethods)
   {
     Scene scene = builder.build();
     scene.method = method;

@@ -1,4 +1,6 @@
 // Flight in vacuum: `exact` is the parabola; both Euler methods miss it by g h T / 2, one above and one below.
+#include <gtest/gtest.h>
+
 #include "ping_pong_sim/scene_loader.h"
 #include "scene_builder.h"
 
@@ -93,7 +95,7 @@ TEST(Flight, BallTurnsWithItsSpin)
 {
   const Vector3d w(30.0, -80.0, 150.0);
   const Quaterniond q0(Eigen::AngleAxisd(0.7, Vector3d(1, 2, -1).normalized()));
-  for (const Method method : {Method::Exact, Method::EulerExplicit, Method::EulerSemiImplicit})
+  for (const Method method : kMethods)
   {
     Scene scene = SceneBuilder(method).gravity(kG).ball(kStart, kThrow).build();
     scene.balls[0].state.q_WB = q0;
@@ -112,7 +114,7 @@ TEST(Flight, BallTurnsWithItsSpin)
 
 TEST(Flight, WithoutForcesABallFliesStraightOn)
 {
-  for (const Method method : {Method::Exact, Method::EulerExplicit, Method::EulerSemiImplicit})
+  for (const Method method : kMethods)
   {
     World world = SceneBuilder(method).ball(kStart, kThrow).world();
     world.advance(1.0);

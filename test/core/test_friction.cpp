@@ -1,4 +1,5 @@
 // Friction and spin at a bounce, and sliding, rolling and spinning on a surface: closed forms.
+#include <gtest/gtest.h>
 #include <random>
 
 #include "ping_pong_sim/resolve.h"

@@ -1,4 +1,6 @@
 // Far from the origin and long after the start a bounce is the same bounce.
+#include <gtest/gtest.h>
+
 #include "scene_builder.h"
 
 namespace ping_pong

@@ -1,4 +1,5 @@
 // Balls against balls: closed forms, cradles, counting, momentum and energy.
+#include <gtest/gtest.h>
 #include <random>
 
 #include "ping_pong_sim/detect.h"

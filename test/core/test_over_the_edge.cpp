@@ -1,4 +1,6 @@
 // A smooth ball slides off a table: over the edge it turns about it, and leaves it where nothing presses any more.
+#include <gtest/gtest.h>
+
 #include "scene_builder.h"
 
 namespace ping_pong

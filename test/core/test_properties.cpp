@@ -1,5 +1,6 @@
 // What holds whatever the numbers: no contact adds energy, mirrored and turned worlds, doubled mass; and the drop tests of the
 // rules in air.
+#include <gtest/gtest.h>
 #include <random>
 
 #include "ping_pong_sim/resolve.h"

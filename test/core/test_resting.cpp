@@ -1,4 +1,6 @@
 // Balls that lie on something, and what makes them move again.
+#include <gtest/gtest.h>
+
 #include "scene_builder.h"
 
 namespace ping_pong

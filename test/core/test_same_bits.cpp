@@ -1,4 +1,5 @@
 // The same scene gives the same bits on every run; the order of lists does not matter.
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cstring>
 
@@ -40,7 +41,7 @@ std::uint64_t hashAfter(World& world, double tick, int ticks)
 
 TEST(SameBits, OnEveryRunOfEveryMethod)
 {
-  for (const Method method : {Method::Exact, Method::EulerSemiImplicit, Method::EulerExplicit})
+  for (const Method method : kMethods)
   {
     Scene scene = tray();
     scene.method = method;

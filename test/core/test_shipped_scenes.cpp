@@ -1,4 +1,6 @@
 // What the shipped scenes with air promise in their first lines.
+#include <gtest/gtest.h>
+
 #include "ping_pong_sim/scene_loader.h"
 #include "scene_builder.h"
 

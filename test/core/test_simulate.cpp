@@ -190,8 +190,9 @@ TEST(Simulate, ExplainsItself)
 {
   const Output output = simulate("--help");
   EXPECT_EQ(output.status, 0);
-  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--contacts", "euler_explicit"})
+  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--contacts"})
     EXPECT_NE(output.out.find(option), std::string::npos) << option;
+  for (const Method method : kMethods) EXPECT_NE(output.out.find(name(method)), std::string::npos) << name(method);
 }
 
 TEST(Simulate, RefusesBadInputWithOneLineAndStatusTwo)

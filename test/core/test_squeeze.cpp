@@ -1,4 +1,6 @@
 // Overlap from outside and no room left: refused, pushed out without speed, reported.
+#include <gtest/gtest.h>
+
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -52,7 +54,7 @@ TEST(Squeeze, ABodySetOntoABallPushesItOutWithoutSpeed)
 
 TEST(Squeeze, ABallInsideATableAtTheStartIsNeitherShotOutNorAHang)  // scenes built in code are not checked by a loader
 {
-  for (const Method method : {Method::Exact, Method::EulerExplicit, Method::EulerSemiImplicit})
+  for (const Method method : kMethods)
   {
     Scene scene = table().ball({0, 0, 0.005}).build();
     scene.method = method;

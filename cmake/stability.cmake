@@ -1,0 +1,20 @@
+# The stability map: its situations as a library that tests share, and the program that measures all of them.
+add_library(${PROJECT_NAME}_stability STATIC EXCLUDE_FROM_ALL
+  bench/stability/plates.cpp
+  bench/stability/moving_bodies.cpp
+  bench/stability/rest.cpp
+  bench/stability/lines.cpp
+  bench/stability/features.cpp
+  bench/stability/overlap.cpp
+  bench/stability/air.cpp
+  bench/stability/cases.cpp
+)
+target_include_directories(${PROJECT_NAME}_stability PUBLIC bench/stability test/core)
+target_link_libraries(${PROJECT_NAME}_stability PUBLIC ${PROJECT_NAME}_core PRIVATE ${PROJECT_NAME}_options)
+
+add_executable(${PROJECT_NAME}_stability_map EXCLUDE_FROM_ALL bench/stability/main.cpp)
+target_link_libraries(${PROJECT_NAME}_stability_map PRIVATE ${PROJECT_NAME}_stability ${PROJECT_NAME}_options)
+set_target_properties(${PROJECT_NAME}_stability_map PROPERTIES OUTPUT_NAME stability)
+if(BENCH)
+  set_target_properties(${PROJECT_NAME}_stability ${PROJECT_NAME}_stability_map PROPERTIES EXCLUDE_FROM_ALL FALSE)
+endif()
