@@ -37,21 +37,28 @@ def table(head, rows):
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
 
+def step_text(step):
+    return short(step, "s").replace(".0 ", " ")
+
+
+def step_range(points):
+    steps = sorted({p.step for p in points})
+    return step_text(steps[0]) if len(steps) == 1 else f"{step_text(steps[0])} to {step_text(steps[-1])}"
+
+
 def failure_text(points):
     """Where and how a line fails, and what was not measured."""
     failed = [p for p in points if p.measured and p.failures]
     parts = []
     if failed:
         what = list(dict.fromkeys(FAILURES[f] for p in failed for f in p.failures))
-        steps = [p.step for p in failed]
-        where = short(min(steps), "s") if len(steps) == 1 else f"{short(min(steps), 's')} to {short(max(steps), 's')}"
-        parts.append(f"{', '.join(what)} at {where}")
+        parts.append(f"{', '.join(what)} at {step_range(failed)}")
     wrong = [p for p in points if p.good and p.wrong_bounces > 0.0]
     if wrong:
-        parts.append(f"wrong number of bounces from {short(min(p.step for p in wrong), 's')}")
+        parts.append(f"wrong number of bounces at {step_range(wrong)}")
     slow = [p.step for p in points if p.refusal == "takes too long"]
     if slow:
-        parts.append(f"not tried below {short(min([p.step for p in points if p.measured], default=max(slow)), 's')}: takes too long")
+        parts.append(f"not tried at {step_text(max(slow))} and below, takes too long")
     return "; ".join(parts)
 
 
@@ -61,12 +68,13 @@ def scene_table(scene):
     for line, points in scene.lines().items():
         measured = [p for p in points if p.measured]
         if not measured:
-            rows.append([line_name(line), "-", "-", "-", "", points[0].refusal])
+            rows.append([line_name(line), "-", "-", "-", "", "", points[0].refusal])
             continue
-        least = min((p.error for p in points if p.good), default=None)
+        best = min((p for p in points if p.good), key=lambda p: p.error, default=None)
         rows.append([line_name(line)] + [cost_text(cost_at(points, a)) for a in scene.accuracies] +
-                    ["" if least is None else error_text(scene, least), failure_text(points)])
-    return table(["", *units, "least error", ""], rows)
+                    ["" if best is None else error_text(scene, best.error),
+                     "" if best is None else short(best.penetration, "m"), failure_text(points)])
+    return table(["", *units, "least error", "deepest overlap then", ""], rows)
 
 
 def scene_block(scene):
