@@ -6,8 +6,8 @@ namespace ping_pong::bench
 {
 namespace
 {
-constexpr Real kStep = 4e-3L;  // [s]
-constexpr int kLooks = 8;      // at the way of one step, for forbidden places
+constexpr Real kStep = 16e-3L;  // [s]
+constexpr int kLooks = 32;      // at the way of one step, for forbidden places
 
 AirReference airOf(const Scene& scene)
 {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <stdexcept>
 
 #include "error_run.h"
@@ -14,6 +15,9 @@ namespace ping_pong::bench
 {
 namespace
 {
+constexpr char kTooLong[] = "takes too long";
+constexpr double kPatience = 1.5;  // a point may take so many times what was expected at most
+
 constexpr char kUsage[] =
     "usage: chart --out DIRECTORY [--quick] [--only SCENE] [--engine NAME] [--commit TEXT] [--list]\n"
     "Measures the work-precision chart and writes one CSV file per scene into DIRECTORY, which must exist.\n"
@@ -81,25 +85,45 @@ std::vector<Start> startsOf(const ChartScene& chart, const Effort& effort)
   return starts;
 }
 
-// Errors of one variant at all its steps, coarse to fine, until it takes too long.
+// An engine that gives up says so in the row. Methods that take a tolerance get all the time that they need: there is
+// no step to blame.
+std::optional<Errors> tryErrors(const ChartScene& chart, const std::vector<Start>& starts, Row& row,
+                                const Effort& effort)
+{
+  const bool tolerance = takesTolerance(row.point.engine->name, row.point.variant);
+  const double most = tolerance ? std::numeric_limits<double>::infinity() : kPatience * effort.error_budget;
+  try
+  {
+    return measureErrors(chart, starts, row.point, most);
+  }
+  catch (const std::exception& error)
+  {
+    row.refusal = error.what();
+    return std::nullopt;
+  }
+}
+
+// Errors of one variant at all its steps, coarse to fine, until it takes too long. Time goes as 1 / step, about.
 void measureVariant(const ChartScene& chart, const std::vector<Start>& starts, const EngineKind& engine,
                     const std::string& variant, const Effort& effort, std::vector<Row>& rows)
 {
   const std::string refusal = engine.refuse(starts[0].scene, variant);
   const bool tolerance = takesTolerance(engine.name, variant);
-  double seconds_per_step = 0.0;  // of the last point: its time x its step
+  double expected = 0.0, last_step = 0.0;  // time of the last point [s], and its step
   for (const double step : tolerance ? chart.tolerances : chart.steps)
   {
     if (effort.decades_only && !isDecade(step)) continue;
     Row row{{&engine, variant, step}, refusal, {}, {}};
-    if (refusal.empty() && !tolerance && seconds_per_step / step > effort.error_budget) row.refusal = "takes too long";
-    if (row.refusal.empty())
-    {
-      row.errors = measureErrors(chart, starts, row.point);
-      seconds_per_step = row.errors.seconds * step;
-    }
+    if (!tolerance) expected *= last_step / step;
+    last_step = step;
+    std::optional<Errors> errors;
+    if (refusal.empty() && (tolerance || expected <= effort.error_budget))
+      errors = tryErrors(chart, starts, row, effort);
+    if (errors) row.errors = *errors;
+    if (row.refusal.empty() && !errors) row.refusal = kTooLong;
+    expected = errors ? errors->seconds : std::max(expected, effort.error_budget * 1.001);
     rows.push_back(row);
-    if (!refusal.empty()) return;
+    if (!row.refusal.empty() && row.refusal != kTooLong) return;
   }
 }
 

@@ -27,6 +27,16 @@ struct Mean
   double root() const { return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0; }
 };
 
+class Stopwatch
+{
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin_ = Clock::now();
+};
+
 struct Sums
 {
   Mean position, spin, energy, wrong_bounces;
@@ -64,20 +74,23 @@ public:
     findEnergyScale();
   }
 
-  void run()
+  /// Gives up, and says false, when the stopwatch shows more than `most` [s].
+  bool run(const Stopwatch& stopwatch, double most)
   {
     const long samples = std::lround(chart_.duration / chart_.sample_period);
     for (long i = 0; i < samples; ++i)
     {
+      if (stopwatch.seconds() > most) return false;
       if (!watch(i))
       {
         ++errors_.not_finite;
-        return;
+        return true;
       }
       compareEnergy(static_cast<std::size_t>(i));
       for (std::size_t ball = 0; ball < start_.truth.size(); ++ball) compare(ball, static_cast<std::size_t>(i));
     }
     finish();
+    return true;
   }
 
 private:
@@ -174,13 +187,15 @@ private:
 };
 }  // namespace
 
-Errors measureErrors(const ChartScene& chart, const std::vector<Start>& starts, const Point& point)
+std::optional<Errors> measureErrors(const ChartScene& chart, const std::vector<Start>& starts, const Point& point,
+                                    double most)
 {
   Errors errors;
   Sums sums;
-  const auto begin = std::chrono::steady_clock::now();
-  for (const Start& start : starts) Run(chart, start, point, errors, sums).run();
-  errors.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const Stopwatch stopwatch;
+  for (const Start& start : starts)
+    if (!Run(chart, start, point, errors, sums).run(stopwatch, most)) return std::nullopt;
+  errors.seconds = stopwatch.seconds();
   errors.starts = static_cast<int>(starts.size());
   errors.position_rms = sums.position.root();
   errors.spin_rms = sums.spin.root();

@@ -1,6 +1,6 @@
 #include "results_file.h"
 
-#include <cstdio>
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -31,14 +31,22 @@ std::string failuresOf(const Errors& errors)
   return text;
 }
 
+// In double quotes, on one line.
+std::string quoted(std::string text)
+{
+  std::replace(text.begin(), text.end(), '"', '\'');
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return '"' + text + '"';
+}
+
 void writeRow(std::ostream& out, const Row& row)
 {
   const Errors& e = row.errors;
   out << row.point.engine->name << ',' << row.point.variant << ',' << row.point.step << ',' << e.starts << ','
       << row.cost.least << ',' << row.cost.median << ',' << e.position_rms << ',' << e.position_max << ',' << e.spin_rms
       << ',' << e.energy_rms << ',' << e.energy_growth << ',' << e.momentum << ',' << e.penetration << ','
-      << e.wrong_bounces << ',' << e.missed << ',' << e.tunnelled << ',' << e.not_finite << ',' << failuresOf(e)
-      << ",\"" << row.refusal << "\"\n";
+      << e.wrong_bounces << ',' << e.missed << ',' << e.tunnelled << ',' << e.not_finite << ',' << failuresOf(e) << ','
+      << quoted(row.refusal) << '\n';
 }
 }  // namespace
 

@@ -7,7 +7,7 @@ OURS = "ping_pong_sim"
 SCENES = ["flight_vacuum", "flight_air", "bouncing", "elastic_666", "drop_to_rest", "spin_bounce", "spin_bounce_vacuum",
           "ball_in_box", "paddle_hit", "rally"]
 LEAST = 1e-17  # an error of zero is drawn here
-ROUNDING = 4.4e-16  # two units in the last place of a double near one metre [m]
+ROUNDING = 3.6e-15  # unit in the last place of a double at 20 m [m]
 
 
 class Point:

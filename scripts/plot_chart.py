@@ -17,11 +17,12 @@ from chart_data import LEAST, OURS, front, read_scenes  # noqa: E402
 from chart_page import write_page  # noqa: E402
 
 INK = "#7a7a7a"  # readable on white and on black
-# Okabe and Ito, "Color universal design", 2008; without the two that vanish on white or on black.
-BLUE, ORANGE, GREEN, RED, SKY, PURPLE = "#0072b2", "#e69f00", "#009e73", "#d55e00", "#56b4e9", "#cc79a7"
+# Okabe and Ito, "Color universal design", 2008; without the two that vanish on white or on black. Blue is a little lighter: as
+# far from black as from white.
+BLUE, ORANGE, GREEN, RED, SKY, PURPLE = "#0a7cc4", "#e69f00", "#009e73", "#d55e00", "#56b4e9", "#cc79a7"
 # Ours: full markers and lines. Others: open markers, thin lines, broken for default settings.
 OUR_STYLES = {"exact": (BLUE, "o"), "auto": (BLUE, "*"), "euler_explicit": (RED, "v"), "euler_semi_implicit": (ORANGE, "^"),
-              "verlet": (PURPLE, "D"), "rk4": (GREEN, "s"), "rk4_located": (SKY, "P")}
+              "verlet": (PURPLE, "D"), "rk4": (SKY, "s"), "rk4_located": (GREEN, "P")}
 PEER_STYLES = {"bullet": (ORANGE, "s"), "ode": (GREEN, "D"), "dart": (PURPLE, "^"), "mujoco": (RED, "v"), "simbody": (SKY, "o")}
 PEER_NAMES = {"bullet": "Bullet", "ode": "ODE", "dart": "DART", "mujoco": "MuJoCo", "simbody": "Simbody"}
 OVERVIEW = ["bouncing", "spin_bounce"]

@@ -51,7 +51,8 @@ protected:
   {
     directory() = std::filesystem::temp_directory_path() / ("chart_test_" + std::to_string(getpid()));
     std::filesystem::create_directories(directory());
-    const std::string command = std::string(CHART) + " --quick --out " + directory().string() + " > /dev/null";
+    const std::string command =
+        std::string(CHART) + " --quick --engine ping_pong_sim --out " + directory().string() + " > /dev/null";
     const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << command;
   }
