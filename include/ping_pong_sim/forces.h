@@ -7,14 +7,18 @@
 
 namespace ping_pong
 {
-/// C_D, with |F_D| = (1/2) rho A C_D u^2, u the speed through the air.
+/// C_D, with |F_D| = (1/2) rho A C_D u^2, u the speed through the air:
+/// C_D = without_spin + (with_spin - without_spin) S^2 / (S^2 + half_at^2), S = r w / u. Source: docs/physics.md.
 struct DragLaw
 {
-  double constant = 0.53;
-  /// Optional table, bilinear between its nodes and constant outside: rows by Reynolds number 2 r u / nu, columns by spin
-  /// ratio S = r w / u.
+  double without_spin = 0.33;
+  double with_spin = 0.53;
+  double half_at = 1.0 / 15.0;  ///< spin ratio at which half of the way is gone, > 0
+  /// Optional table instead, bilinear between its nodes and constant outside: rows by Reynolds number 2 r u / nu, columns by
+  /// spin ratio.
   std::vector<double> reynolds, spin_ratio, values;
 
+  static DragLaw constant(double C_D);
   double at(double reynolds_number, double spin_ratio_now) const;
 };
 
@@ -64,17 +68,35 @@ double airDensity(double temperature, double altitude);
 class FlightModel
 {
 public:
+  /// N vectors, one a row: components lie side by side in memory.
+  template <int N>
+  using Rows = Eigen::Matrix<double, N, 3>;
+  template <int N>
+  using Column = Eigen::Array<double, N, 1>;
+
   FlightModel(const Forces& forces, const BallParams& ball);
   /// dv/dt = g' - k_D C_D |u| u + k_L C_L/S (w x u), u = v - wind [m/s^2], all expressed in W.
   Vector3d acceleration(const Vector3d& v_WB, const Vector3d& w_WB) const;
+  /// The same at N velocities at once.
+  /// @param fade  spin at each of them as a part of w_WB
+  template <int N>
+  Rows<N> accelerations(const Rows<N>& v_WB, const Vector3d& w_WB, const Column<N>& fade) const;
   /// Where the acceleration is constant, flight has a closed form.
-  bool constant() const { return !forces_.dependOnVelocity(); }
-  double spinDecay() const { return forces_.spin_decay; }
+  bool constant() const { return !forces_->dependOnVelocity(); }
+  /// Laws from tables have a kink at each node: between kinks this number stays the same. 0 without tables.
+  std::size_t smoothRegion(const Vector3d& v_WB, const Vector3d& w_WB) const;
+  bool smooth() const { return forces_->drag_law.values.empty() && forces_->lift_law.kind != LiftLaw::Kind::Table; }
+  double spinDecay() const { return forces_->spin_decay; }
   /// Rate at which the acceleration changes the velocity at this state: 1 / time scale [1/s].
   double rate(const Vector3d& v_WB, const Vector3d& w_WB) const;
 
 private:
-  const Forces& forces_;
+  template <int N>
+  Column<N> dragFactors(const Column<N>& speed, const Column<N>& rim) const;
+  template <int N>
+  Column<N> liftFactors(const Column<N>& speed, const Column<N>& rim) const;
+
+  const Forces* forces_;
   double radius_;
   Vector3d gravity_;   ///< with buoyancy and added mass [m/s^2]
   double drag_;        ///< rho A / (2 m') [1/m]

@@ -22,6 +22,8 @@ struct Segment
   Vector3d w_WB = Vector3d::Zero();                            ///< spin at s = 0 [rad/s]
   Vector3d alpha_WB = Vector3d::Zero();                        ///< on a surface [rad/s^2]
   double spin_decay = 0.0;                                     ///< in the air [1/s]
+  Vector3d a_low = Vector3d::Zero();                           ///< bounds of each component of the acceleration on the
+  Vector3d a_high = Vector3d::Zero();                          ///< whole piece, see boundAcceleration() [m/s^2]
 
   Vector3d position(double s) const;
   Vector3d velocity(double s) const;
@@ -29,9 +31,11 @@ struct Segment
   Vector3d spin(double s) const;
   BallState state(double s) const;
 
-  /// Upper bound of |velocity| and |acceleration| for s in [from, to].
-  double speedBound(double from, double to) const;
-  double accelerationBound(double from, double to) const;
+  /// Sets the bounds once the coefficients and the end are there: the least and greatest Bernstein coefficients on [0, end - start].
+  void boundAcceleration();
+  /// Upper bound of |acceleration| on the whole piece, and of |velocity| for s in [from, to].
+  double accelerationBound() const { return a_low.cwiseAbs().cwiseMax(a_high.cwiseAbs()).norm(); }
+  double speedBound(double from, double to) const { return velocity(from).norm() + (to - from) * accelerationBound(); }
 
 private:
   static std::array<Vector3d, kMaxDegree + 1> zeros();

@@ -142,19 +142,26 @@ void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::strin
   for (std::size_t i = 0; i < flights.size(); ++i)
     if (!isChecked(i)) half.push_back(flights[i]);
   CsvFile table(out + "/constants.csv");
-  for (const char* head : {"C_D_without_spin", "e", "e_t", "before", "through"}) table.text(head);
+  for (const char* head : {"C_D_without_spin", "half_at", "e", "e_t", "before", "through"}) table.text(head);
   table.endRow();
-  const auto row = [&](double C_D, double e, double e_t) {
+  const auto row = [&](double C_D, double half_at, double e, double e_t) {
     FlightChoice model;
-    model.forces = spinDragForces(C_D);
-    model.table = surfaceWith(e, 0.02, 0.24, e_t);
+    model.forces = defaultForces();
+    model.forces.drag_law.without_spin = C_D;
+    model.forces.drag_law.half_at = half_at;
+    model.table = defaultTable();
+    model.table.restitution = e;
+    model.table.tangential_restitution = e_t;
     const std::vector<FlightScore> scores = scoreFlights(half, model, false);
-    for (const double value : {C_D, e, e_t, medianBefore(scores, false), medianThrough(scores, false)}) table.number(value);
+    for (const double value : {C_D, half_at, e, e_t, medianBefore(scores, false), medianThrough(scores, false)})
+      table.number(value);
     table.endRow();
   };
-  for (const double C_D : {0.24, 0.27, 0.30, 0.33, 0.36, 0.40, 0.44, 0.53}) row(C_D, 0.98, 0.0);
+  const double half_at = defaultForces().drag_law.half_at;
+  for (const double C_D : {0.24, 0.30, 0.33, 0.36, 0.40, 0.44, 0.53}) row(C_D, half_at, 0.99, 0.15);
+  for (const double part : {0.05, 0.1, 0.2}) row(0.33, part, 0.99, 0.15);
   for (const double e : {0.98, 0.99, 1.0})
-    for (const double e_t : {0.0, 0.15, 0.3}) row(0.33, e, e_t);
+    for (const double e_t : {0.0, 0.15, 0.3}) row(0.33, half_at, e, e_t);
   table.close();
 
   // The same for balls that shall have no spin at all: then nothing can stand in for drag.
@@ -164,7 +171,8 @@ void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::strin
   for (const double C_D : {0.24, 0.27, 0.30, 0.33, 0.36, 0.40, 0.44, 0.53})
   {
     FlightChoice model;
-    model.forces = spinDragForces(C_D);
+    model.forces = defaultForces();
+    model.forces.drag_law = DragLaw::constant(C_D);
     std::vector<double> ratios;
     for (const Flight& flight : half)
       if (flight.no_spin) ratios.push_back(fitFlight(flight, samplesBeforeBounce(flight), model, false).misfit / flight.noise);

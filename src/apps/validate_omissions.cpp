@@ -64,19 +64,26 @@ std::vector<Change> changes()
   air("C_L = .6 S", [](Forces& f) { f.lift_law.kind = LiftLaw::Kind::Linear, f.lift_law.slope = 0.6; });
   air("C_L = 1.33 S", [](Forces& f) { f.lift_law.kind = LiftLaw::Kind::Linear, f.lift_law.slope = 1.33; });
   air("C_L = .267", [](Forces& f) { f.lift_law.kind = LiftLaw::Kind::Constant; });
-  air("C_D .44", [](Forces& f) { f.drag_law.constant = 0.44; });
-  air("C_D grows with spin", [](Forces& f) { f.drag_law = spinDragForces(0.33).drag_law; });
+  air("C_D .44", [](Forces& f) { f.drag_law = DragLaw::constant(0.44); });
+  air("C_D .53", [](Forces& f) { f.drag_law = DragLaw::constant(0.53); });
   air("no buoyancy", [](Forces& f) { f.buoyancy = false; });
   air("no added mass", [](Forces& f) { f.added_mass = false; });
   air("no spin decay", [](Forces& f) { f.spin_decay = 0.0; });
-  air("default: none of the three", [](Forces& f) {
+  air("none of the three", [](Forces& f) {
     f.buoyancy = f.added_mass = false;
     f.spin_decay = 0.0;
   });
-  table("table: no friction", surfaceWith(0.98, 0.02, 0.0, 0.0));
-  table("table: mu .20", surfaceWith(0.98, 0.02, 0.20, 0.0));
-  table("table: mu .30", surfaceWith(0.98, 0.02, 0.30, 0.0));
-  table("table: always grips", surfaceWith(0.98, 0.02, std::numeric_limits<double>::infinity(), 0.0));
+  const auto table_of = [](double friction, double tangential) {
+    Surface law = defaultTable();
+    law.friction = friction;
+    law.tangential_restitution = tangential;
+    return law;
+  };
+  table("table: no friction", table_of(0.0, 0.0));
+  table("table: mu .20", table_of(0.20, 0.15));
+  table("table: mu .30", table_of(0.30, 0.15));
+  table("table: always grips", table_of(std::numeric_limits<double>::infinity(), 0.15));
+  table("table: e_t 0", table_of(0.24, 0.0));
   table("table: e constant .93", surfaceWith(0.93, 0.0, 0.24, 0.0));
   table("table: e constant .876", surfaceWith(0.876, 0.0, 0.24, 0.0));
   return list;

@@ -23,12 +23,10 @@ struct RubberChoice
   Surface rubber;
 };
 
-/// Gravity, drag and Magnus force with the default constants.
+/// Gravity, buoyancy, drag and Magnus force with the default constants, as in scene `rally`.
 Forces defaultForces();
-/// The default and buoyancy, added mass and spin decay: what omissions are measured against.
+/// The default, added mass and spin decay: what omissions are measured against.
 Forces completeForces();
-/// The default and buoyancy, with a C_D that grows from a value without spin to the default's at a spin ratio of 0.2.
-Forces spinDragForces(double C_D_without_spin);
 Surface defaultTable();
 /// e at vanishing speed, its fall per speed [s/m], mu, e_t.
 Surface surfaceWith(double restitution, double slope, double friction, double tangential);

@@ -99,6 +99,7 @@ void moveOnFaces(const WorldState& world, const BallRecord& ball, const BallStat
   path.c[1] = still ? Vector3d(Vector3d::Zero()) : state.v_WB;
   path.c[2] = 0.5 * motion.a;
   path.alpha_WB = motion.alpha;
+  path.boundAcceleration();
   path.end = std::min(leavesFirstFace(world, ball.supports, path, t), t + motion.until_grip);
   // On a moving body the caller plans anew at the next window; the path only has to reach it.
   if (onMovingBody(world, ball.supports) && path.end > window_end) path.end = kNever;
@@ -164,6 +165,7 @@ void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallStat
   hermite(state, motion.a, end, heldMotion(world, ball, end, t + h, h, bounds).a, h, path);
   path.alpha_WB = (end.w_WB - state.w_WB) / h;
   path.end = t + h;
+  path.boundAcceleration();
 }
 }  // namespace
 

@@ -68,7 +68,7 @@ double relativeAccelerationBound(const Segment& path, const BodyMotion& motion, 
 {
   const double s0 = from - path.start;
   const double T = until - from;
-  const double a = path.accelerationBound(s0, until - path.start) + motion.a_WB.norm();
+  const double a = path.accelerationBound() + motion.a_WB.norm();
   if (!motion.turning()) return a;
   const double s = from - motion.start;
   const Pose pose = motion.poseAt(s);
@@ -78,6 +78,12 @@ double relativeAccelerationBound(const Segment& path, const BodyMotion& motion, 
   const double w = motion.twist.w.norm() + end * motion.alpha_WB.norm();
   const double alpha = motion.alpha_WB.norm() * (1.0 + w * end);
   return a + alpha * d + w * w * d + 2.0 * w * v;
+}
+
+// The least n.a of all a between the bounds.
+double leastAlong(const Vector3d& n, const Vector3d& a_low, const Vector3d& a_high)
+{
+  return n.cwiseProduct(a_low).cwiseMin(n.cwiseProduct(a_high)).sum();
 }
 
 // Cannot come near within the time: speed bound times time is less than the distance of the bounding spheres.
@@ -204,14 +210,15 @@ Detection firstContact(const Segment& path, double radius, const Shape& shape, c
   const bool still = motion.still();
   const BodyFrame frozen = frameAt(motion, 0.0);
   const auto frame = [&](double t) { return still ? frozen : frameAt(motion, t - motion.start); };
-  // A body that does not turn stays behind its tangent plane: there the gap is at least a parabola.
-  const bool parabola = path.degree <= 2 && !motion.turning();
-  const Vector3d a = 2.0 * path.c[2] - motion.a_WB;
-  const double bound = parabola ? 0.0 : relativeAccelerationBound(path, motion, from, until);
+  // A body that does not turn stays behind its tangent plane: the gap changes at least as the distance from that plane.
+  const bool turning = motion.turning();
+  const Vector3d a_low = path.a_low - motion.a_WB;
+  const Vector3d a_high = path.a_high - motion.a_WB;
+  const double bound = turning ? relativeAccelerationBound(path, motion, from, until) : 0.0;
   const auto at = [&](double t) {
     const double s = t - path.start;
     const Gap gap = gapTo(shape, frame(t), path.position(s), path.velocity(s), radius);
-    return Look{gap.gap, gap.rate, parabola ? gap.n_W.dot(a) : -bound};
+    return Look{gap.gap, gap.rate, turning ? -bound : leastAlong(gap.n_W, a_low, a_high)};
   };
   const auto presses = [&](double t) {
     const double s = t - path.start;
@@ -230,19 +237,16 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
   const double s2 = from - path2.start;
   const Vector3d p1 = path1.position(s1);
   const double tolerance = touchTolerance(p1, reach);
-  const bool parabola = path1.degree <= 2 && path2.degree <= 2;
-  if (parabola && path1.c[2] == path2.c[2])
+  if (path1.degree <= 2 && path2.degree <= 2 && path1.c[2] == path2.c[2])
     return firstContactOnQuadratic(p1 - path2.position(s2), path1.velocity(s1) - path2.velocity(s2), reach, from,
                                    until, tolerance);
-  const Vector3d a = 2.0 * (path1.c[2] - path2.c[2]);
-  const double bound = parabola ? 0.0
-                                : path1.accelerationBound(s1, until - path1.start) +
-                                      path2.accelerationBound(s2, until - path2.start);
+  const Vector3d a_low = path1.a_low - path2.a_high;
+  const Vector3d a_high = path1.a_high - path2.a_low;
   const auto at = [&](double t) {
     const Vector3d d = path1.position(t - path1.start) - path2.position(t - path2.start);
     const Vector3d u = path1.velocity(t - path1.start) - path2.velocity(t - path2.start);
     const double distance = d.norm();
-    return Look{distance - reach, d.dot(u) / distance, parabola ? d.dot(a) / distance : -bound};
+    return Look{distance - reach, d.dot(u) / distance, leastAlong(d / distance, a_low, a_high)};
   };
   const auto presses = [&](double t) {
     const Vector3d d = path1.position(t - path1.start) - path2.position(t - path2.start);

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace ping_pong
 {
@@ -32,14 +34,23 @@ struct Points
 {
   using Vector = Eigen::Matrix<double, N, 1>;
   using Matrix = Eigen::Matrix<double, N, N>;
+  static constexpr int kLast = N < 6 ? 3 : 4;  // Legendre coefficients that tell of the error
+
   Vector nodes;
-  Matrix to_powers;    // accelerations at the nodes -> coefficients of tau^k
-  Matrix integral;     // accelerations at the nodes -> their integral from 0 to each node
-  double leading = 1;  // leading coefficient of the shifted Legendre polynomial of degree N - 1
+  Matrix to_powers;  // accelerations at the nodes -> coefficients of tau^k
+  Matrix integral;   // accelerations at the nodes -> their integral from 0 to each node
+  Eigen::Matrix<double, kLast, N> to_last;  // accelerations at the nodes -> last Legendre coefficients
 
   Points()
   {
-    for (int i = 0; i < N; ++i) nodes[i] = 0.5 * (1.0 - legendreRoot(i));
+    Vector weights;
+    for (int i = 0; i < N; ++i)
+    {
+      const double x = legendreRoot(i);
+      const double slope = legendre(N, x).second;
+      nodes[i] = 0.5 * (1.0 - x);
+      weights[i] = 1.0 / ((1.0 - x * x) * slope * slope);  // Abramowitz and Stegun 25.4.29, for an interval of length 1
+    }
     Matrix powers, integrated;
     for (int i = 0; i < N; ++i)
       for (int k = 0; k < N; ++k)
@@ -49,7 +60,26 @@ struct Points
       }
     to_powers = powers.inverse();
     integral = integrated * to_powers;
-    for (int k = 1; k < N; ++k) leading *= (N - 1.0 + k) / k;  // (2 (N - 1))! / ((N - 1)!)^2
+    for (int k = 0; k < kLast; ++k)
+      for (int i = 0; i < N; ++i)
+      {
+        const int degree = N - kLast + k;
+        to_last(k, i) = (2.0 * degree + 1.0) * weights[i] * legendre(degree, 2.0 * nodes[i] - 1.0).first;
+      }
+  }
+
+  // P_n(x) and its derivative.
+  static std::pair<double, double> legendre(int n, double x)
+  {
+    double p0 = 1.0, p1 = x;
+    if (n == 0) return {1.0, 0.0};
+    for (int k = 2; k <= n; ++k)
+    {
+      const double p2 = ((2.0 * k - 1.0) * x * p1 - (k - 1.0) * p0) / k;
+      p0 = p1;
+      p1 = p2;
+    }
+    return {p1, n * (x * p1 - p0) / (x * x - 1.0)};
   }
 
   // Newton on P_N from Chebyshev's guess (Abramowitz and Stegun 22.16.6).
@@ -58,77 +88,132 @@ struct Points
     double x = std::cos(M_PI * (i + 0.75) / (N + 0.5));
     for (int iteration = 0; iteration < 20; ++iteration)
     {
-      double p0 = 1.0, p1 = x;
-      for (int k = 2; k <= N; ++k)
-      {
-        const double p2 = ((2.0 * k - 1.0) * x * p1 - (k - 1.0) * p0) / k;
-        p0 = p1;
-        p1 = p2;
-      }
-      x -= p1 * (x * x - 1.0) / (N * (x * p1 - p0));
+      const auto [value, slope] = legendre(N, x);
+      x -= value / slope;
     }
     return x;
   }
 };
 
-// Errors seen are this part of the last coefficient's share, times a reserve of ten.
+// Where the coefficients fall fast, the error is this part of the last one's share or less, with a reserve of ten.
 constexpr double kShareOfLast = 1e-2;
+constexpr double kSweepsShare = 0.1;   // of the tolerance, left to the sweeps
 constexpr int kMaxSweeps = 40;
 constexpr double kLongestPiece = 1.0;  // [s]
+constexpr double kNoKink = std::numeric_limits<double>::infinity();  // [s]
+constexpr double kRally = 1.0;         // an error of the velocity lasts so long [s]
 
-// One piece of length h; false if the share of the last Legendre coefficient in the position is above the tolerance. What is
-// left out is smaller, and smaller still at the end of the piece, where Gauss points are of order 2 N: pieces join without
-// adding up. `excess` is error / tolerance.
+// Error of the position a second later. Smooth accelerations have Legendre coefficients that fall as rho^k: the next ones
+// hardly count, and at the end of the piece, where Gauss points are of order 2 N, still less. Where they do not fall (the ball
+// turns round at no air speed, or passes a node of a table) as much as the last ones is left out, at the end as well.
+template <int N>
+double errorOf(const typename FlightModel::Rows<N>& a, double h, const Points<N>& points)
+{
+  constexpr int last = Points<N>::kLast - 1;
+  const Eigen::Matrix<double, last + 1, 3> b = points.to_last * a;
+  const double b0 = b.row(0).squaredNorm(), b2 = b.row(last - 1).squaredNorm(), b3 = b.row(last).squaredNorm();
+  const double before = last == 3 ? std::max(b0, b.row(1).squaredNorm()) : b0;
+  const double fall = std::max(b2, b3);
+  if (!(fall > 0.0)) return 0.0;
+  const double rho2 = std::min(1.0, last == 3 ? std::sqrt(fall / before) : fall / before);
+  const double rough = std::min(1.0, 16.0 * rho2 * rho2);  // 1 from rho = 1/2 on
+  return h * std::sqrt(std::max(b3, rho2 * b2)) * (std::max(kShareOfLast, rough) * h + rough * rough * kRally);
+}
+
+// Velocities at the nodes to begin with: a0 and how the acceleration changes along it.
+template <int N>
+typename FlightModel::Rows<N> firstGuess(const FlightModel& model, const Segment& path, double h, const Points<N>& points)
+{
+  const Vector3d& v0 = path.c[1];
+  const Vector3d a0 = model.acceleration(v0, path.w_WB);
+  const Vector3d half_change = model.acceleration(v0 + 0.5 * h * a0, path.w_WB) - a0;
+  const auto s = points.nodes;
+  return (v0 * Eigen::Matrix<double, 1, N>::Ones() + h * a0 * s.transpose() +
+          h * half_change * s.cwiseAbs2().transpose())
+      .transpose();
+}
+
+// One piece of length h; false if its error is above the tolerance. `excess` is error / tolerance.
 template <int N>
 bool collocate(const FlightModel& model, double h, double tolerance, Segment& path, double& excess)
 {
   static const Points<N> points;
-  using Vectors = Eigen::Matrix<double, 3, N>;
-  Vectors a = Vectors::Zero();
-  Vectors v, w;
-  const Vector3d v0 = path.c[1];
-  const Vector3d a0 = model.acceleration(v0, path.w_WB);
-  for (int i = 0; i < N; ++i)
-  {
-    v.col(i) = v0 + h * points.nodes[i] * a0;
-    w.col(i) = path.spin(h * points.nodes[i]);
-  }
+  using Rows = FlightModel::Rows<N>;
+  const Vector3d& v0 = path.c[1];
+  FlightModel::Column<N> fade = FlightModel::Column<N>::Ones();
+  if (path.spin_decay > 0.0) fade = (-path.spin_decay * h * points.nodes.array()).exp();
+  Rows v = firstGuess<N>(model, path, h, points);
+  Rows a;
   // Picard sweeps: each gains one power of h times the rate of the flow.
-  double change = kLongestPiece;
-  const double enough = std::max(0.01 * tolerance, 1e-15 * v0.norm());
-  for (int sweep = 0; change > enough; ++sweep)
+  const double rounding = 1e-15 * v0.norm();
+  double before = 0.0;
+  for (int sweep = 0;; ++sweep)
   {
+    a = model.accelerations<N>(v, path.w_WB, fade);
+    const Rows next = (h * (points.integral * a)).rowwise() + v0.transpose();
+    const double change = (next - v).cwiseAbs().maxCoeff();
+    v = next;
+    // The next sweep would change the velocity by about change^2 / before, and that the position after a second.
+    if (change * std::min(1.0, change / before) <= kSweepsShare * tolerance || change <= rounding) break;
     if (sweep == kMaxSweeps || !(change < 1e6))
     {
       excess = 1e6;
       return false;
     }
-    for (int i = 0; i < N; ++i) a.col(i) = model.acceleration(v.col(i), w.col(i));
-    const Vectors next = (h * a * points.integral.transpose()).colwise() + v0;
-    change = (next - v).cwiseAbs().maxCoeff();
-    v = next;
+    before = change;
   }
-  const Vectors b = a * points.to_powers.transpose();
-  excess = kShareOfLast * h * h * b.col(N - 1).norm() / points.leading / tolerance;
+  excess = errorOf<N>(a, h, points) / tolerance;
   if (excess > 1.0) return false;
+  const Rows b = points.to_powers * a;
   path.degree = N + 1;
   double power = h;  // h^2 / h^k, as the coefficients are of tau = s / h
   for (int k = 0; k < N; ++k)
   {
-    path.c[k + 2] = b.col(k) * h / power / ((k + 1) * (k + 2));
+    path.c[k + 2] = b.row(k).transpose() * (h / power / ((k + 1) * (k + 2)));
     power *= h;
   }
   path.end = path.start + h;
   return true;
 }
 
+// Where on this piece a law from a table has its first kink; kNoKink if nowhere.
+double firstKink(const FlightModel& model, const Segment& path)
+{
+  constexpr int kLooks = 16;
+  constexpr double kTooSoon = 1e-7;  // a kink that close to the start is the one that the last piece ended at [s]
+  const auto region = [&](double s) { return model.smoothRegion(path.velocity(s), path.spin(s)); };
+  const double h = path.end - path.start;
+  const std::size_t here = region(std::min(kTooSoon, h));
+  for (int i = 1; i <= kLooks; ++i)
+  {
+    double after = h * i / kLooks;
+    if (region(after) == here) continue;
+    for (double before = h * (i - 1) / kLooks; after - before > 1e-12;)
+    {
+      const double middle = 0.5 * (before + after);
+      (region(middle) == here ? before : after) = middle;
+    }
+    return after > kTooSoon ? after : kNoKink;
+  }
+  return kNoKink;
+}
+
 template <int N>
 void flyThroughAir(const FlightModel& model, double tolerance, Segment& path, double& step)
 {
-  double h = step > 0.0 ? step : 0.5 * std::pow(tolerance, 1.0 / N) / model.rate(path.c[1], path.w_WB);
+  constexpr int kCuts = 4;
+  double h = step > 0.0 ? step : std::pow(tolerance, 1.0 / (N + 1)) / model.rate(path.c[1], path.w_WB);
+  h = std::min(h, kLongestPiece);
   double excess = 1.0;
-  for (h = std::min(h, kLongestPiece); !collocate<N>(model, h, tolerance, path, excess);)
-    h *= std::max(0.1, 0.8 * std::pow(excess, -1.0 / N));
+  for (int cuts = 0;;)
+  {
+    if (!collocate<N>(model, h, tolerance, path, excess))
+      h *= std::max(0.1, 0.8 * std::pow(excess, -1.0 / N));
+    else if (model.smooth() || cuts++ == kCuts || firstKink(model, path) >= h * (1.0 - 1e-9))
+      break;
+    else
+      h = firstKink(model, path);
+  }
   step = h * std::min(2.0, 0.8 * std::pow(std::max(excess, 1e-6), -1.0 / N));
 }
 }  // namespace
@@ -138,6 +223,7 @@ Segment flyParabola(const BallState& state, double start, const Vector3d& a)
   Segment path = startOf(state, start);
   path.degree = 2;
   path.c[2] = 0.5 * a;
+  path.boundAcceleration();
   return path;
 }
 
@@ -154,6 +240,7 @@ Segment fly(const BallState& state, double start, const FlightModel& model, doub
     flyThroughAir<4>(model, tolerance, path, step);
   else
     flyThroughAir<8>(model, tolerance, path, step);
+  path.boundAcceleration();
   return path;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ping_pong
 {
@@ -32,9 +33,17 @@ double tableLift(const LiftLaw& law, double S)
 }
 }  // namespace
 
+DragLaw DragLaw::constant(double C_D)
+{
+  DragLaw law;
+  law.without_spin = law.with_spin = C_D;
+  return law;
+}
+
 double DragLaw::at(double reynolds_number, double spin_ratio_now) const
 {
-  if (values.empty()) return constant;
+  const double S2 = spin_ratio_now * spin_ratio_now;
+  if (values.empty()) return without_spin + (with_spin - without_spin) * S2 / (S2 + half_at * half_at);
   const Place row = placeIn(reynolds, reynolds_number);
   const Place column = placeIn(spin_ratio, spin_ratio_now);
   const std::size_t columns = spin_ratio.size();
@@ -73,7 +82,7 @@ double airDensity(double temperature, double altitude)
   return pressure / (kGasConstant * temperature);
 }
 
-FlightModel::FlightModel(const Forces& forces, const BallParams& ball) : forces_(forces), radius_(ball.radius)
+FlightModel::FlightModel(const Forces& forces, const BallParams& ball) : forces_(&forces), radius_(ball.radius)
 {
   const double area = M_PI * ball.radius * ball.radius;
   const double displaced = forces.air_density * 4.0 / 3.0 * area * ball.radius;  // mass of the displaced air [kg]
@@ -84,26 +93,111 @@ FlightModel::FlightModel(const Forces& forces, const BallParams& ball) : forces_
   lift_ = forces.magnus ? 0.5 * forces.air_density * area * ball.radius / inertial : 0.0;
 }
 
+// k_D C_D |u| for speeds through the air and rim speeds r w [1/s]. Without air speed there is no drag.
+template <int N>
+FlightModel::Column<N> FlightModel::dragFactors(const Column<N>& speed, const Column<N>& rim) const
+{
+  const DragLaw& law = forces_->drag_law;
+  if (law.values.empty())
+  {
+    if (law.with_spin == law.without_spin) return drag_ * law.without_spin * speed;
+    const Column<N> rim2 = rim * rim;
+    const Column<N> way = rim2 / (rim2 + law.half_at * law.half_at * speed * speed + std::numeric_limits<double>::min());
+    return drag_ * (law.without_spin + (law.with_spin - law.without_spin) * way) * speed;
+  }
+  Column<N> factors;
+  for (int i = 0; i < N; ++i)
+  {
+    const double reynolds = 2.0 * radius_ * speed[i] / forces_->air_viscosity;
+    factors[i] = speed[i] > 0.0 ? drag_ * law.at(reynolds, rim[i] / speed[i]) * speed[i] : 0.0;
+  }
+  return factors;
+}
+
+// k_L C_L / S. Without air speed or spin there is no lift.
+template <int N>
+FlightModel::Column<N> FlightModel::liftFactors(const Column<N>& speed, const Column<N>& rim) const
+{
+  const LiftLaw& law = forces_->lift_law;
+  if (law.kind == LiftLaw::Kind::Linear) return Column<N>::Constant(lift_ * law.slope);
+  if (law.kind == LiftLaw::Kind::Saturating)
+    return lift_ * law.slope * speed / (speed + law.saturation * rim + std::numeric_limits<double>::min());
+  Column<N> factors;
+  for (int i = 0; i < N; ++i)
+    factors[i] = speed[i] > 0.0 && rim[i] > 0.0 ? lift_ * law.perSpinRatio(rim[i] / speed[i]) : 0.0;
+  return factors;
+}
+
+template <int N>
+FlightModel::Rows<N> FlightModel::accelerations(const Rows<N>& v_WB, const Vector3d& w_WB, const Column<N>& fade) const
+{
+  const Vector3d& wind = forces_->wind;
+  const Column<N> x = v_WB.col(0).array() - wind.x();
+  const Column<N> y = v_WB.col(1).array() - wind.y();
+  const Column<N> z = v_WB.col(2).array() - wind.z();
+  const Column<N> speed = (x * x + y * y + z * z).sqrt();
+  const Column<N> rim = radius_ * w_WB.norm() * fade;
+  Rows<N> a = gravity_.transpose().template replicate<N, 1>();
+  if (forces_->drag)
+  {
+    const Column<N> k = dragFactors<N>(speed, rim);
+    a.col(0).array() -= k * x;
+    a.col(1).array() -= k * y;
+    a.col(2).array() -= k * z;
+  }
+  if (forces_->magnus)
+  {
+    const Column<N> k = liftFactors<N>(speed, rim) * fade;
+    a.col(0).array() += k * (w_WB.y() * z - w_WB.z() * y);
+    a.col(1).array() += k * (w_WB.z() * x - w_WB.x() * z);
+    a.col(2).array() += k * (w_WB.x() * y - w_WB.y() * x);
+  }
+  return a;
+}
+
+template FlightModel::Rows<4> FlightModel::accelerations<4>(const Rows<4>&, const Vector3d&, const Column<4>&) const;
+template FlightModel::Rows<8> FlightModel::accelerations<8>(const Rows<8>&, const Vector3d&, const Column<8>&) const;
+
 Vector3d FlightModel::acceleration(const Vector3d& v_WB, const Vector3d& w_WB) const
 {
   if (constant()) return gravity_;
-  const Vector3d u = v_WB - forces_.wind;
-  const double speed = u.norm();
-  if (speed == 0.0) return gravity_;  // no flow: neither drag nor lift, whatever the spin
-  const double S = radius_ * w_WB.norm() / speed;
+  const Vector3d u = v_WB - forces_->wind;
+  const Column<1> speed(u.norm());
+  const Column<1> rim(radius_ * w_WB.norm());
   Vector3d a = gravity_;
-  if (forces_.drag)
-    a -= drag_ * forces_.drag_law.at(2.0 * radius_ * speed / forces_.air_viscosity, S) * speed * u;
-  if (forces_.magnus && S > 0.0) a += lift_ * forces_.lift_law.perSpinRatio(S) * w_WB.cross(u);
+  if (forces_->drag) a -= dragFactors<1>(speed, rim)[0] * u;
+  if (forces_->magnus) a += liftFactors<1>(speed, rim)[0] * w_WB.cross(u);
   return a;
+}
+
+std::size_t FlightModel::smoothRegion(const Vector3d& v_WB, const Vector3d& w_WB) const
+{
+  const auto below = [](const std::vector<double>& nodes, double x) {
+    return static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
+  };
+  const double speed = (v_WB - forces_->wind).norm();
+  const double S = radius_ * w_WB.norm() / speed;
+  std::size_t region = 0;
+  if (forces_->drag && !forces_->drag_law.values.empty())
+  {
+    const DragLaw& law = forces_->drag_law;
+    region = below(law.reynolds, 2.0 * radius_ * speed / forces_->air_viscosity) * (law.spin_ratio.size() + 1) +
+             below(law.spin_ratio, S);
+  }
+  if (forces_->magnus && forces_->lift_law.kind == LiftLaw::Kind::Table)
+    region = region * (forces_->lift_law.spin_ratio.size() + 1) + below(forces_->lift_law.spin_ratio, S);
+  return region;
 }
 
 double FlightModel::rate(const Vector3d& v_WB, const Vector3d& w_WB) const
 {
-  const Vector3d u = v_WB - forces_.wind;
-  const double speed = u.norm() + 0.1 * gravity_.norm();  // it will be that fast soon
+  const Vector3d u = v_WB - forces_->wind;
+  const Column<1> speed(u.norm() + 0.1 * gravity_.norm());  // it will be that fast soon
   const double spin = w_WB.norm();
-  const double turn = spin > 0.0 ? lift_ * forces_.lift_law.perSpinRatio(radius_ * spin / speed) * spin : 0.0;
-  return 2.0 * drag_ * speed + turn + 1e-3;
+  const Column<1> rim(radius_ * spin);
+  double rate = 1e-3;
+  if (forces_->drag) rate += 2.0 * dragFactors<1>(speed, rim)[0];
+  if (forces_->magnus) rate += liftFactors<1>(speed, rim)[0] * spin;
+  return rate;
 }
 }  // namespace ping_pong

@@ -81,17 +81,28 @@ const FlightPreset& readPreset(const Field& field, const std::string& also)
   field.fail(also + "one of " + kDefault + ", " + flightPresetNames());
 }
 
+DragLaw readDragOfSpin(const Map& map)
+{
+  DragLaw law;
+  law.without_spin = map.at("without_spin", "C_D without spin, a number >= 0").notNegative();
+  law.with_spin = map.at("with_spin", "C_D at large spin ratios, a number >= 0").notNegative();
+  law.half_at = map.at("half_at", "the spin ratio half of the way, a number > 0").positive();
+  return law;
+}
+
 DragLaw readDrag(const Field& field)
 {
-  if (!field.isMap()) return readPreset(field, "{coefficient: ...}, {table: ...}, or ").drag;
-  const Map map(field, {"coefficient", "table"});
+  const std::string forms = "{coefficient: ...}, {without_spin: ..., with_spin: ..., half_at: ...}, {table: ...}";
+  if (!field.isMap()) return readPreset(field, forms + ", or ").drag;
+  const Map map(field, {"coefficient", "without_spin", "with_spin", "half_at", "table"});
   const Field* table = map.find("table");
   const Field* coefficient = map.find("coefficient");
-  if (table != nullptr && coefficient != nullptr) coefficient->fail("either coefficient or table");
+  const Field* of_spin = map.find("without_spin");
+  for (const char* key : {"with_spin", "half_at"})
+    if (of_spin == nullptr) of_spin = map.find(key);
+  if ((table != nullptr) + (coefficient != nullptr) + (of_spin != nullptr) != 1) field.fail("one of " + forms);
   if (table != nullptr) return readDragTable(*table);
-  DragLaw law;
-  law.constant = map.at("coefficient", "C_D, a number >= 0, or a table").notNegative();
-  return law;
+  return of_spin != nullptr ? readDragOfSpin(map) : DragLaw::constant(coefficient->notNegative());
 }
 
 LiftLaw readLinear(const Field& field)

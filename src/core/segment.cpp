@@ -51,16 +51,42 @@ std::array<Vector3d, Segment::kMaxDegree + 1> Segment::zeros()
   return c;
 }
 
-double Segment::speedBound(double from, double to) const
+namespace
 {
-  return velocity(from).norm() + (to - from) * accelerationBound(from, to);
-}
+// Powers of tau on [0, 1] to Bernstein polynomials of degree n: B_i = sum over k <= i of binomial(i, k) / binomial(n, k) b_k.
+struct ToBernstein
+{
+  static constexpr int kMost = Segment::kMaxDegree - 2;
+  double factor[kMost + 1][kMost + 1][kMost + 1] = {};  // [n][i][k]
 
-double Segment::accelerationBound(double from, double to) const
+  ToBernstein()
+  {
+    double binomial[kMost + 1][kMost + 1] = {};
+    for (int n = 0; n <= kMost; ++n)
+      for (int k = 0; k <= n; ++k) binomial[n][k] = k == 0 || k == n ? 1.0 : binomial[n - 1][k - 1] + binomial[n - 1][k];
+    for (int n = 0; n <= kMost; ++n)
+      for (int i = 0; i <= n; ++i)
+        for (int k = 0; k <= i; ++k) factor[n][i][k] = binomial[i][k] / binomial[n][k];
+  }
+};
+}  // namespace
+
+void Segment::boundAcceleration()
 {
-  const double s = std::max(std::abs(from), std::abs(to));
-  double bound = 0.0;
-  for (int k = degree; k >= 2; --k) bound = bound * s + k * (k - 1) * c[k].norm();
-  return bound;
+  static const ToBernstein to_bernstein;
+  a_low = a_high = degree < 2 ? Vector3d(Vector3d::Zero()) : Vector3d(2.0 * c[2]);
+  if (degree <= 2) return;
+  const int n = degree - 2;
+  const double h = end - start;
+  std::array<Vector3d, kMaxDegree - 1> powers;
+  double power = 1.0;
+  for (int k = 0; k <= n; ++k, power *= h) powers[k] = (k + 2) * (k + 1) * power * c[k + 2];
+  for (int i = 1; i <= n; ++i)
+  {
+    Vector3d b = powers[0];
+    for (int k = 1; k <= i; ++k) b += to_bernstein.factor[n][i][k] * powers[k];
+    a_low = a_low.cwiseMin(b);
+    a_high = a_high.cwiseMax(b);
+  }
 }
 }  // namespace ping_pong

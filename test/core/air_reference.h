@@ -21,10 +21,11 @@ struct AirReference
     Vector3r p = Vector3r::Zero(), v = Vector3r::Zero(), w = Vector3r::Zero();
   };
 
-  Real radius = 0.02L, mass = 2.7e-3L, density = 1.2041L, decay = 0.0L, C_D = 0.0L;
+  Real radius = 0.02L, mass = 2.7e-3L, density = 1.2041L, decay = 0.0L;
   Vector3r gravity = Vector3r::Zero(), wind = Vector3r::Zero();
   bool buoyancy = false, added_mass = false;
-  std::function<Real(Real)> C_L = [](Real) { return 0.0L; };  // of the spin ratio
+  std::function<Real(Real)> C_D = [](Real) { return 0.0L; };  // of the spin ratio
+  std::function<Real(Real)> C_L = [](Real) { return 0.0L; };
 
   Vector3r acceleration(const Vector3r& v, const Vector3r& w) const
   {
@@ -33,7 +34,7 @@ struct AirReference
     Vector3r force = (mass - (buoyancy ? density * volume : 0.0L)) * gravity;
     const Vector3r u = v - wind;
     const Real speed = u.norm(), turn = w.norm();
-    if (speed > 0.0L) force -= 0.5L * density * area * C_D * speed * u;
+    if (speed > 0.0L) force -= 0.5L * density * area * C_D(radius * turn / speed) * speed * u;
     if (speed > 0.0L && turn > 0.0L)
       force += 0.5L * density * area * C_L(radius * turn / speed) * speed / turn * w.cross(u);
     return force / (mass + (added_mass ? 0.5L * density * volume : 0.0L));

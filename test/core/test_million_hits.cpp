@@ -4,6 +4,7 @@
 
 #include "hit_reference.h"
 #include "ping_pong_sim/detect.h"
+#include "ping_pong_sim/evolve.h"
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -70,11 +71,7 @@ double searched(const Encounter& e)
   BallState state;
   state.p_WB = e.p;
   state.v_WB = e.v;
-  Segment path;
-  path.degree = 2;
-  path.c[0] = e.p;
-  path.c[1] = e.v;
-  path.c[2] = 0.5 * e.a;
+  const Segment path = flyParabola(state, 0.0, e.a);
   Detection found = firstContact(path, e.radius, e.shape, e.motion, 0.0, e.duration);
   while (found.undecided) found = firstContact(path, e.radius, e.shape, e.motion, found.time, e.duration);
   return found.time;

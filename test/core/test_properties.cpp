@@ -353,7 +353,7 @@ Drop dropped(double height, double e, bool air, double C_D = 0.44)
 {
   Scene scene = SceneBuilder().gravity(kStandardGravity).floor().restitution(e).ball({0, 0, kR + height}).build();
   scene.forces.drag = scene.forces.buoyancy = air;
-  scene.forces.drag_law.constant = C_D;
+  scene.forces.drag_law = DragLaw::constant(C_D);
   scene.tolerance = 1e-9;
   World world(scene);
   Drop drop;

@@ -326,6 +326,14 @@ TEST_F(SceneLoader, ReadsLiftLaws)
   EXPECT_NEAR(lift(table, 2.0), 0.3, 1e-16);
 }
 
+TEST_F(SceneLoader, ReadsDragThatGrowsWithSpin)
+{
+  const DragLaw law = forcesOf("forces: {drag: {without_spin: 0.3, with_spin: 0.5, half_at: 0.1}}").drag_law;
+  EXPECT_EQ(law.at(3e4, 0.0), 0.3);
+  EXPECT_NEAR(law.at(3e4, 0.1), 0.4, 1e-16);  // one rounding
+  EXPECT_NEAR(law.at(3e4, 1e6), 0.5, 1e-13);
+}
+
 TEST_F(SceneLoader, ReadsADragTableRowByReynoldsNumber)
 {
   const DragLaw law = forcesOf("forces: {drag: {table: {reynolds: [1e4, 2e4], spin_ratio: [0, 0.5, 1],\n"
@@ -355,9 +363,11 @@ TEST_F(SceneLoader, KnowsFlightPresets)
   struct Known
   {
     const char* name;
-    double drag, lift;  ///< C_D, and C_L at S = 0.4
+    double drag, lift;  ///< C_D and C_L at S = 0.4
   };
-  for (const Known& known : {Known{"table_rally", 0.53, 0.333 * 7.3 * 0.4 / 3.92}, Known{"default", 0.53, 0.24806},
+  const double with_spin = 0.33 + 0.20 * 36.0 / 37.0;  // S = 6 half_at
+  for (const Known& known : {Known{"table_rally", with_spin, 0.333 * 7.3 * 0.4 / 3.92}, Known{"default", with_spin, 0.24806},
+                             Known{"table_rally_constant_drag", 0.53, 0.24806},
                              Known{"half_saturating", 0.44, 0.4 / 1.8}, Known{"tebbe", 0.40, 0.24},
                              Known{"mujoco_deepmind", 0.47, 0.532}, Known{"ace", 0.55, 0.267}})
   {
@@ -365,7 +375,7 @@ TEST_F(SceneLoader, KnowsFlightPresets)
     const std::string name = known.name;
     const Forces both = forcesOf("forces: {preset: " + name + "}");
     EXPECT_TRUE(both.drag && both.magnus);
-    EXPECT_EQ(both.drag_law.at(3e4, 0.4), known.drag);
+    EXPECT_NEAR(both.drag_law.at(3e4, 0.4), known.drag, 1e-15);
     EXPECT_NEAR(both.lift_law.perSpinRatio(0.4) * 0.4, known.lift, 1e-5);  // its digits
     const Forces drag = forcesOf("forces: {drag: " + name + "}"), magnus = forcesOf("forces: {magnus: " + name + "}");
     EXPECT_TRUE(drag.drag && !drag.magnus && magnus.magnus && !magnus.drag);
@@ -415,7 +425,7 @@ TEST_F(SceneLoader, KnowsSurfacePresets)
     const char* name;
     double e, mu, e_t;  ///< e at 2.4 m/s
   };
-  for (const Known& known : {Known{"table_match", 0.932, 0.24, 0}, Known{"table_ittf", 0.905, 0.25, 0},
+  for (const Known& known : {Known{"table_match", 0.942, 0.24, 0.15}, Known{"table_rigid", 0.932, 0.24, 0}, Known{"table_ittf", 0.905, 0.25, 0},
                              Known{"rubber_inverted", 0.86492, INFINITY, 0.70}, Known{"net", 0.1, 0.3, 0},
                              Known{"floor", 0.8, 0.4, 0}, Known{"wall", 0.8, 0.4, 0}})
   {
@@ -560,14 +570,16 @@ const BadScene kBadScenes[] = {
     {"ball named any", "material: rubber", "material: any", 22, "balls[0].material", "any", "the name of a material"},
     {"uncovered body", "[any, any]", "[handle, handle]", 26, "surfaces", "a list", "a restitution for [wood, rubber]"},
     // forces
-    {"number for drag", "{gravity: 9.81}", "{drag: 0.5}", 2, "forces.drag", "0.5", "{coefficient: ...}, {table: ...}, or one of default, table_rally"},
-    {"unknown drag", "{gravity: 9.81}", "{drag: viscous}", 2, "forces.drag", "viscous", "{coefficient: ...}, {table: ...}, or one of default, table_rally"},
+    {"number for drag", "{gravity: 9.81}", "{drag: 0.5}", 2, "forces.drag", "0.5", "{coefficient: ...}, {without_spin: ..., with_spin: ..., half_at: ...}, {table: ...}, or one of default, table_rally"},
+    {"unknown drag", "{gravity: 9.81}", "{drag: viscous}", 2, "forces.drag", "viscous", "{coefficient: ...}, {without_spin: ..., with_spin: ..., half_at: ...}, {table: ...}, or one of default, table_rally"},
     {"drag of true", "{gravity: 9.81}", "{drag: true}", 2, "forces.drag", "true", "{coefficient: ...}"},
     {"no drag", "{gravity: 9.81}", "{drag:}", 2, "forces.drag", "nothing", "a text"},
-    {"empty drag", "{gravity: 9.81}", "{drag: {}}", 2, "forces.drag.coefficient", "missing", "C_D, a number >= 0, or a table"},
+    {"empty drag", "{gravity: 9.81}", "{drag: {}}", 2, "forces.drag", "a map", "one of {coefficient: ...}"},
+    {"half a drag", "{gravity: 9.81}", "{drag: {with_spin: 0.5, half_at: 0.1}}", 2, "forces.drag.without_spin", "missing", "C_D without spin"},
+    {"drag that never grows", "{gravity: 9.81}", "{drag: {without_spin: 0.3, with_spin: 0.5, half_at: 0}}", 2, "forces.drag.half_at", "0", "a finite number > 0"},
     {"pushing drag", "{gravity: 9.81}", "{drag: {coefficient: -1}}", 2, "forces.drag.coefficient", "-1", "a finite number >= 0"},
     {"NaN drag", "{gravity: 9.81}", "{drag: {coefficient: .nan}}", 2, "forces.drag.coefficient", ".nan", "a finite number >= 0"},
-    {"two drags", "{gravity: 9.81}", "{drag: {coefficient: 1, table: {}}}", 2, "forces.drag.coefficient", "1", "either coefficient or table"},
+    {"two drags", "{gravity: 9.81}", "{drag: {coefficient: 1, table: {}}}", 2, "forces.drag", "a map", "one of {coefficient: ...}"},
     {"drag table without rows", "{gravity: 9.81}", "{drag: {table: {reynolds: [], spin_ratio: [0], values: []}}}", 2, "forces.drag.table.reynolds", "[]", "a list of at least one number"},
     {"drag table not increasing", "{gravity: 9.81}", "{drag: {table: {reynolds: [1, 1], spin_ratio: [0], values: [[1], [1]]}}}", 2, "forces.drag.table.reynolds[1]", "1", "a number above the one before it"},
     {"drag table with few rows", "{gravity: 9.81}", "{drag: {table: {reynolds: [1, 2], spin_ratio: [0], values: [[1]]}}}", 2, "forces.drag.table.values", "a list", "2 rows, one for each Reynolds number"},
@@ -585,7 +597,7 @@ const BadScene kBadScenes[] = {
     {"lift table from zero", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [0, 1], values: [0, 1]}}", 2, "forces.magnus.spin_ratio[0]", "0", "a finite number > 0"},
     {"lift table not increasing", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [2, 1], values: [0, 1]}}", 2, "forces.magnus.spin_ratio[1]", "1", "a number above the one before it"},
     {"lift table too long", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [1], values: [0, 1]}}", 2, "forces.magnus.values", "[0, 1]", "1 numbers, one for each spin ratio"},
-    {"unknown preset", "{gravity: 9.81}", "{preset: golf}", 2, "forces.preset", "golf", "one of default, table_rally, half_saturating, tebbe, mujoco_deepmind, ace"},
+    {"unknown preset", "{gravity: 9.81}", "{preset: golf}", 2, "forces.preset", "golf", "one of default, table_rally, table_rally_constant_drag, half_saturating, tebbe, mujoco_deepmind, ace"},
     {"preset and drag", "{gravity: 9.81}", "{preset: ace, drag: {coefficient: 1}}", 2, "forces.preset", "ace", "no preset beside drag or magnus"},
     {"preset and magnus", "{gravity: 9.81}", "{magnus: ace, preset: ace}", 2, "forces.preset", "ace", "no preset beside drag or magnus"},
     {"wind of one number", "{gravity: 9.81}", "{wind: 3}", 2, "forces.wind", "3", "three numbers [x, y, z]"},
@@ -608,7 +620,7 @@ const BadScene kBadScenes[] = {
     {"negative rolling resistance", "restitution: 0.8", "restitution: 0.8, friction: 1, rolling_resistance: -1", 26, "surfaces[0].rolling_resistance", "-1", "a finite number >= 0"},
     {"spin without friction", "restitution: 0.8", "restitution: 0.8, spin_friction: 0.5", 26, "surfaces[0].spin_friction", "0.5", "it only beside a friction > 0"},
     {"infinite spin friction", "restitution: 0.8", "restitution: 0.8, friction: 1, spin_friction: .inf", 26, "surfaces[0].spin_friction", ".inf", "a finite number >= 0"},
-    {"unknown surface", "restitution: 0.8", "preset: ice", 26, "surfaces[0].preset", "ice", "one of table_match, table_ittf, rubber_inverted, net, floor, wall"},
+    {"unknown surface", "restitution: 0.8", "preset: ice", 26, "surfaces[0].preset", "ice", "one of table_match, table_rigid, table_ittf, rubber_inverted, net, floor, wall"},
     {"preset and restitution", "restitution: 0.8", "preset: net, restitution: 0.8", 26, "surfaces[0].restitution", "unknown key", "one of pair, preset"},
     {"preset and friction", "restitution: 0.8", "friction: 0.1, preset: net", 26, "surfaces[0].friction", "unknown key", "one of pair, preset"},
     {"friction alone", "restitution: 0.8", "friction: 0.1", 26, "surfaces[0].restitution", "missing", "a number from 0 to 1, or a preset"},
