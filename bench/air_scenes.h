@@ -5,8 +5,6 @@
 
 namespace ping_pong::bench
 {
-constexpr double kDragCoefficient = 0.45;
-
 /// Two seconds; steps, tolerances, reference.
 ChartScene airChart(const std::string& name, const std::string& title);
 

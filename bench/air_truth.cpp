@@ -17,7 +17,9 @@ AirReference airOf(const Scene& scene)
   air.mass = scene.balls[0].params.mass;
   air.density = forces.air_density;
   air.gravity = forces.gravity.cast<Real>();
-  air.C_D = forces.drag ? forces.drag_law.constant : 0.0;
+  const DragLaw law = forces.drag ? forces.drag_law : DragLaw::constant(0.0);
+  const Real low = law.without_spin, high = law.with_spin, half = law.half_at;
+  air.C_D = [=](Real S) { return low + (high - low) * S * S / (S * S + half * half); };
   const Real slope = forces.magnus ? forces.lift_law.slope : 0.0, saturation = forces.lift_law.saturation;
   air.C_L = [=](Real S) { return slope * S / (1.0L + saturation * S); };
   return air;

@@ -19,9 +19,11 @@ constexpr char kTooLong[] = "takes too long";
 constexpr double kPatience = 1.5;  // a point may take so many times what was expected at most
 
 constexpr char kUsage[] =
-    "usage: chart --out DIRECTORY [--quick] [--only SCENE] [--engine NAME] [--commit TEXT] [--list]\n"
+    "usage: chart --out DIRECTORY [--quick] [--only SCENE] [--engine NAME] [--budget SECONDS] [--commit TEXT] "
+    "[--list]\n"
     "Measures the work-precision chart and writes one CSV file per scene into DIRECTORY, which must exist.\n"
     "  --quick   few starts, short repeats, every tenth step: does it work?\n"
+    "  --budget  leaves out points whose error run takes longer; default 5\n"
     "  --list    names of scenes and engines\n";
 
 struct Options
@@ -63,6 +65,8 @@ Options optionsFrom(int argc, char** argv)
       options.only = value();
     else if (argument == "--engine")
       options.engine = value();
+    else if (argument == "--budget")
+      options.effort.error_budget = std::stod(value());
     else if (argument == "--commit")
       options.commit = value();
     else

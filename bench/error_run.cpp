@@ -13,6 +13,7 @@ namespace ping_pong::bench
 namespace
 {
 constexpr double kWatchPeriod = 1e-3;    // about, between looks at overlap and bounces [s]
+constexpr double kCountPeriod = 0.02;    // between looks, at most, if bounces are to be counted [s]
 constexpr Real kAwayFromBounce = 1e-3L;  // [s]
 
 struct Mean
@@ -159,8 +160,9 @@ private:
 
   void finish()
   {
+    const bool counted = chart_.sample_period / static_cast<double>(watches_) <= 1.0001 * kCountPeriod;
     for (std::size_t i = 0; i < start_.truth.size(); ++i)
-      if (start_.truth[i].bounces >= 0) sums_.wrong_bounces.add(bounces_[i] != start_.truth[i].bounces);
+      if (counted && start_.truth[i].bounces >= 0) sums_.wrong_bounces.add(bounces_[i] != start_.truth[i].bounces);
     const bool inside = worstDepthInBody(start_, balls_, chart_.duration) > 1.0;
     errors_.tunnelled += inside || (chart_.lost && chart_.lost(balls_[0]));
     if (!start_.drives.empty()) errors_.missed += missed();

@@ -21,7 +21,7 @@ struct Errors
   double energy_rms = 0.0, energy_growth = 0.0;   ///< relative to the energy that the scene has
   double momentum = 0.0;                          ///< sideways, largest, relative to what that energy could give
   double penetration = 0.0;                       ///< deepest overlap seen [m]
-  double wrong_bounces = 0.0;                     ///< part of the paths that were counted
+  double wrong_bounces = 0.0;                     ///< part of the paths; not counted at steps above 20 ms
   int missed = 0, tunnelled = 0, not_finite = 0;  ///< starts
   double seconds = 0.0;                           ///< that the run took
 

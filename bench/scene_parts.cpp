@@ -28,10 +28,10 @@ Scene emptyScene(const std::string& name, const Surface& law)
   return scene;
 }
 
-void addAir(Scene& scene, double drag_coefficient)
+void addAir(Scene& scene, const DragLaw& drag)
 {
   scene.forces.drag = scene.forces.magnus = true;
-  scene.forces.drag_law.constant = drag_coefficient;
+  scene.forces.drag_law = drag;
 }
 
 void addFloor(Scene& scene, double height)

@@ -12,8 +12,8 @@ constexpr double kGravity = 9.81;  // of all scenes of the chart [m/s^2]
 /// Gravity, materials "ball" and "wall", and one contact law for everything.
 Scene emptyScene(const std::string& name, const Surface& law);
 
-/// Drag with this C_D and the library's lift law.
-void addAir(Scene& scene, double drag_coefficient);
+/// Drag and Magnus force; the lift law is the library's default.
+void addAir(Scene& scene, const DragLaw& drag);
 
 void addFloor(Scene& scene, double height = 0.0);
 void addBox(Scene& scene, const std::string& name, BodyKind kind, const Vector3d& size, const Pose& pose);

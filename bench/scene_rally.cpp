@@ -29,7 +29,7 @@ bool nearNetOrEdge(const Vector3r& p, double radius)
 Scene rallyScene(const ChartScene& chart, const Shot& shot)
 {
   Scene scene = emptyScene(chart.name, contactLaw(0.93, 0.25));
-  addAir(scene, kDragCoefficient);
+  addAir(scene, DragLaw());  // the default: drag grows with spin
   addFloor(scene);
   addBox(scene, "table", BodyKind::Static, kTable, {kTableMiddle, Quaterniond::Identity()});
   addBox(scene, "net", BodyKind::Static, kNet, {kNetMiddle, Quaterniond::Identity()});

@@ -8,6 +8,8 @@ namespace ping_pong::bench
 {
 namespace
 {
+constexpr double kDragCoefficient = 0.45;
+
 Start startAirFlight(const ChartScene& chart, int n, int refinement)
 {
   Random random(4, static_cast<std::uint64_t>(n));
@@ -16,7 +18,7 @@ Start startAirFlight(const ChartScene& chart, int n, int refinement)
   state.w_WB = randomVector(random, 0.0, 300.0);
   Start start;
   start.scene = emptyScene(chart.name, contactLaw(1.0, 0.0));
-  addAir(start.scene, kDragCoefficient);
+  addAir(start.scene, DragLaw::constant(kDragCoefficient));
   addBall(start.scene, BallParams(), state);
   start.truth = {airTruth(airTask(chart, start.scene, refinement)).value()};
   return start;
@@ -31,7 +33,7 @@ Start startSpinBounce(const ChartScene& chart, int n, int refinement, bool air)
   state.w_WB = random.uniform(Vector3d::Constant(-100.0), Vector3d::Constant(100.0));
   Start start;
   start.scene = emptyScene(chart.name, contactLaw(0.9, 0.25));
-  if (air) addAir(start.scene, kDragCoefficient);
+  if (air) addAir(start.scene, DragLaw::constant(kDragCoefficient));
   addFloor(start.scene);
   addBall(start.scene, BallParams(), state);
   AirTask task = airTask(chart, start.scene, refinement);
