@@ -19,11 +19,13 @@ constexpr char kTooLong[] = "takes too long";
 constexpr double kPatience = 1.5;  // a point may take so many times what was expected at most
 
 constexpr char kUsage[] =
-    "usage: chart --out DIRECTORY [--quick] [--only SCENE] [--engine NAME] [--budget SECONDS] [--commit TEXT] "
+    "usage: chart --out DIRECTORY [--quick] [--only SCENE] [--engine NAME] [--budget SECONDS]\n"
+    "             [--repeat SECONDS] [--commit TEXT] "
     "[--list]\n"
     "Measures the work-precision chart and writes one CSV file per scene into DIRECTORY, which must exist.\n"
     "  --quick   few starts, short repeats, every tenth step: does it work?\n"
     "  --budget  leaves out points whose error run takes longer; default 5\n"
+    "  --repeat  least time of one repeat of the timing; default 0.2\n"
     "  --list    names of scenes and engines\n";
 
 struct Options
@@ -38,7 +40,7 @@ Effort quickEffort()
   Effort effort;
   effort.most_starts = 4;
   effort.decades_only = true;
-  effort.error_budget = 0.2;
+  effort.error_budget = 0.4;
   effort.repeat_time = 2e-3;
   effort.repeats = 3;
   return effort;
@@ -67,6 +69,8 @@ Options optionsFrom(int argc, char** argv)
       options.engine = value();
     else if (argument == "--budget")
       options.effort.error_budget = std::stod(value());
+    else if (argument == "--repeat")
+      options.effort.repeat_time = std::stod(value());
     else if (argument == "--commit")
       options.commit = value();
     else

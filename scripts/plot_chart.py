@@ -72,8 +72,8 @@ def scale_axes(axis, scene):
     errors = [max(p.error, LEAST) for p in scene.points if p.good]
     axis.set_xscale("log")
     axis.set_yscale("log")
-    axis.set_xlim(min(costs) / 2.0, max(costs) * 2.0)
-    low, high = min(errors) / 4.0, max(errors) * HEADROOM
+    axis.set_xlim(min(costs) / 2.0, max(max(costs) * 2.0, min(costs) * 20.0))
+    low, high = min(errors) / 4.0, max(max(errors), min(errors) * 1e6) * HEADROOM
     axis.set_ylim(low, high)
     axis.xaxis.set_major_locator(FixedLocator(decades(*axis.get_xlim())))
     axis.xaxis.set_major_formatter(FuncFormatter(lambda x, _: with_prefix(x, "s")))
