@@ -92,7 +92,7 @@ def cheapest(scene, accuracy, keep):
     return min(found, default=(None, None))
 
 
-def is_simple(line):
+def is_other_method(line):
     return line[0] == OURS and line[1] not in ("exact", "auto")
 
 
@@ -103,14 +103,14 @@ def summary_block(scenes):
         accuracy = scene.accuracies[1]
         exact, _ = cheapest(scene, accuracy, lambda line: line == (OURS, "exact"))
         row = [scene.title, "1e-6 of the energy" if scene.measure == "energy" else "1 mm", cost_text(exact)]
-        for keep in (is_simple, lambda line: line[0] != OURS):
+        for keep in (is_other_method, lambda line: line[0] != OURS):
             cost, line = cheapest(scene, accuracy, keep)
             ratio = f" (x {cost / exact:.2g})" if cost and exact and cost / exact < 100 else ""
             if cost and exact and cost / exact >= 100:
                 ratio = f" (x {float(f'{cost / exact:.2g}'):,.0f})"
             row.append("-" if cost is None else f"{cost_text(cost)}{ratio}, {line_name(line)}")
         rows.append(row)
-    return table(["scene", "accuracy", "`exact`", "cheapest simple method", "cheapest other simulator"], rows)
+    return table(["scene", "accuracy", "`exact`", "cheapest other method", "cheapest other simulator"], rows)
 
 
 def provenance_block(scenes):
