@@ -28,6 +28,7 @@ function(add_core_test name)
     URDF_DIR="${CMAKE_CURRENT_SOURCE_DIR}/urdf"
     SIMULATE="$<TARGET_FILE:${PROJECT_NAME}_simulate>"
     VALIDATE="$<TARGET_FILE:${PROJECT_NAME}_validate>"
+    CHART="$<TARGET_FILE:${PROJECT_NAME}_chart>"
     DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/test/data"
     CORE_LIBRARY="$<TARGET_FILE:${PROJECT_NAME}_core>")
 endfunction()
@@ -64,6 +65,9 @@ foreach(name
 )
   add_core_test(${name})
 endforeach()
+
+add_core_test(chart)
+add_dependencies(${PROJECT_NAME}_test_chart ${PROJECT_NAME}_chart)
 
 if(NOT CORE_ONLY)
   include(cmake/ros_tests.cmake)
