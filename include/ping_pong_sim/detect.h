@@ -29,6 +29,9 @@ struct Gap
 
 Gap gapTo(const Shape& shape, const BodyFrame& frame, const Vector3d& p_WB, const Vector3d& v_WB, double radius);
 
+/// The same for a shape that does not move and is given in W.
+Gap gapTo(const Shape& placed, const Vector3d& p_WB, const Vector3d& v_WB, double radius);
+
 /// Second derivative of the gap of a ball that moves with acceleration a_WB, curvature of the surface included [m/s^2].
 double gapAcceleration(const Shape& shape, const BodyFrame& frame, const Vector3d& p_WB, const Vector3d& v_WB,
                        const Vector3d& a_WB);
@@ -49,6 +52,12 @@ struct Detection
 /// Touching and closing in at `from` is a contact at `from`; touching and receding is none. `until` must be finite if the body turns.
 Detection firstContact(const Segment& path, double radius, const Shape& shape, const BodyMotion& motion, double from,
                        double until);
+
+/// The same for a shape that does not move and is given in W.
+Detection firstContact(const Segment& path, double radius, const Shape& placed, double from, double until);
+
+/// A shape of a body that does not move, given in W.
+Shape placed(Shape shape, const Pose& X_WB);
 
 /// The same for two balls. Free flights under the same acceleration: a quadratic, solved without cancellation.
 Detection firstContact(const Segment& path1, double radius1, const Segment& path2, double radius2, double from,

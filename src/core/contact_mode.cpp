@@ -204,16 +204,15 @@ void planPath(const WorldState& world, BallRecord& ball, BallState state, double
     for (std::size_t i = ball.supports.count; i-- > 0;)
       if (!bounds.loaded[i]) ball.supports.remove(i);
   }
-  const FlightModel model(world.scene.forces, ball.params);
   if (ball.supports.none())
   {
     if (world.scene.method == Method::Rk4Located)
-      flyStep(ball, state, t, model, world.scene.dt);
+      flyStep(ball, state, t, ball.model, world.scene.dt);
     else
-      ball.path = fly(state, t, model, world.scene.tolerance, ball.step);
+      ball.path = fly(state, t, ball.model, world.scene.tolerance, ball.step);
     return;
   }
-  const Vector3d free = model.acceleration(state.v_WB, state.w_WB);
+  const Vector3d free = ball.model.acceleration(state.v_WB, state.w_WB);
   motion.a = cleaned(motion.a, free);
   motion.alpha = cleaned(ball.params.radius * motion.alpha, free) / ball.params.radius;
   ball.path = flyParabola(state, t, Vector3d::Zero());

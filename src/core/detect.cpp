@@ -3,65 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "march.h"
+
 namespace ping_pong
 {
 namespace
 {
-// Closing in slower than this is rounding.
-constexpr double kNoClosingSpeed = 1e-12;  // [m/s]
-// A touching ball that neither closes in nor presses: look again after this time, then after twice that.
-constexpr double kFirstNudge = 1e-9;  // [s]
-constexpr double kLastNudge = 1e-6;   // [s]
-constexpr int kMaxLooks = 2000;
 // Beyond the border of a face by this much the edge carries the ball; there its normal is tilted by kBorder / r.
 constexpr double kBorder = 1e-11;  // [m]
 // A ball that is still on the face when it should have left it, by rounding, looks again after this time.
 constexpr double kLeast = 1e-9;  // [s]
-
-// First d >= 0 with f + f' d + c d^2 / 2 = 0, for f >= 0, without cancellation; kNever if there is none.
-double safeStep(double gap, double rate, double c)
-{
-  if (c >= 0.0 && rate >= 0.0) return kNever;
-  const double discriminant = rate * rate - 2.0 * c * gap;
-  if (discriminant < 0.0) return kNever;
-  const double root = std::sqrt(discriminant);
-  return rate < 0.0 ? 2.0 * gap / (root - rate) : (rate + root) / -c;
-}
-
-// What `march` looks at: gap, rate, and a lower bound of the gap's second derivative from now on.
-struct Look
-{
-  double gap, rate, least_change;
-};
-
-// `at(t)` gives a Look, `tolerance` the gap of touching, `presses(t)` whether a touching ball is accelerated inwards.
-template <typename At, typename Presses>
-Detection march(const At& at, const Presses& presses, double from, double until, double tolerance)
-{
-  double t = from;
-  double nudge = kFirstNudge;
-  for (int look = 0; look < kMaxLooks; ++look)
-  {
-    Look now = at(t);
-    const bool touching = now.gap <= tolerance;
-    if (touching)
-    {
-      if (now.rate < -kNoClosingSpeed) return {t, false};
-      if (now.rate <= kNoHopSpeed && presses(t)) return {t, false};
-      now.rate = std::max(now.rate, 0.0);
-    }
-    double step = safeStep(std::max(now.gap, 0.0), now.rate, now.least_change);
-    if (touching)
-    {
-      step = std::max(step, nudge);
-      nudge = std::min(2.0 * nudge, kLastNudge);
-    }
-    if (!(t + step <= until)) return {};
-    if (t + step == t) return {t, false};  // closing in by less than time can resolve
-    t += step;
-  }
-  return {t, true};
-}
 
 // Bound of the ball's acceleration in the body's turning frame: a_rel + w' x d + w x (w x d) + 2 w x v_rel.
 double relativeAccelerationBound(const Segment& path, const BodyMotion& motion, double from, double until)
@@ -78,12 +29,6 @@ double relativeAccelerationBound(const Segment& path, const BodyMotion& motion, 
   const double w = motion.twist.w.norm() + end * motion.alpha_WB.norm();
   const double alpha = motion.alpha_WB.norm() * (1.0 + w * end);
   return a + alpha * d + w * w * d + 2.0 * w * v;
-}
-
-// The least n.a of all a between the bounds.
-double leastAlong(const Vector3d& n, const Vector3d& a_low, const Vector3d& a_high)
-{
-  return n.cwiseProduct(a_low).cwiseMin(n.cwiseProduct(a_high)).sum();
 }
 
 // Cannot come near within the time: speed bound times time is less than the distance of the bounding spheres.
@@ -187,6 +132,12 @@ Gap gapTo(const Shape& shape, const BodyFrame& frame, const Vector3d& p_WB, cons
   return gap;
 }
 
+Gap gapTo(const Shape& placed, const Vector3d& p_WB, const Vector3d& v_WB, double radius)
+{
+  const Proximity near = proximity(placed, p_WB);
+  return {near.distance - radius, near.normal.dot(v_WB), near.normal};
+}
+
 double gapAcceleration(const Shape& shape, const BodyFrame& frame, const Vector3d& p_WB, const Vector3d& v_WB,
                        const Vector3d& a_WB)
 {
@@ -205,11 +156,10 @@ double gapAcceleration(const Shape& shape, const BodyFrame& frame, const Vector3
 Detection firstContact(const Segment& path, double radius, const Shape& shape, const BodyMotion& motion, double from,
                        double until)
 {
+  if (motion.still()) return firstContact(path, radius, placed(shape, motion.pose), from, until);
   until = std::min(until, path.end);
   if (from > until || outOfReach(path, radius, shape, motion, from, until)) return {};
-  const bool still = motion.still();
-  const BodyFrame frozen = frameAt(motion, 0.0);
-  const auto frame = [&](double t) { return still ? frozen : frameAt(motion, t - motion.start); };
+  const auto frame = [&](double t) { return frameAt(motion, t - motion.start); };
   // A body that does not turn stays behind its tangent plane: the gap changes at least as the distance from that plane.
   const bool turning = motion.turning();
   const Vector3d a_low = path.a_low - motion.a_WB;
@@ -235,11 +185,14 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
   const double reach = radius1 + radius2;
   const double s1 = from - path1.start;
   const double s2 = from - path2.start;
-  const Vector3d p1 = path1.position(s1);
-  const double tolerance = touchTolerance(p1, reach);
-  if (path1.degree <= 2 && path2.degree <= 2 && path1.c[2] == path2.c[2])
-    return firstContactOnQuadratic(p1 - path2.position(s2), path1.velocity(s1) - path2.velocity(s2), reach, from,
-                                   until, tolerance);
+  if (path1.degree == 2 && path2.degree == 2 && path1.c[2] == path2.c[2])
+  {
+    const Vector3d p1 = path1.c[0] + s1 * (path1.c[1] + s1 * path1.c[2]);
+    const Vector3d p2 = path2.c[0] + s2 * (path2.c[1] + s2 * path2.c[2]);
+    const Vector3d u = path1.c[1] - path2.c[1] + (2.0 * (s1 - s2)) * path1.c[2];
+    return firstContactOnQuadratic(p1 - p2, u, reach, from, until, touchTolerance(p1, reach));
+  }
+  const double tolerance = touchTolerance(path1.position(s1), reach);
   const Vector3d a_low = path1.a_low - path2.a_high;
   const Vector3d a_high = path1.a_high - path2.a_low;
   const auto at = [&](double t) {

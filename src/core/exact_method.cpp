@@ -5,6 +5,7 @@
 #include "contact_mode.h"
 #include "foresight.h"
 #include "held_motion.h"
+#include "islands.h"
 #include "ping_pong_sim/resolve.h"
 #include "placement.h"
 
@@ -26,6 +27,7 @@ constexpr double kTouchSpeed = 1e-9;   // slower is no impact [m/s]
 constexpr double kSqueezeGap = 2e-5;   // room left to a ball that counts as squeezed [m]
 constexpr double kOpposed = -0.999;    // cosine between normals of squeezing surfaces
 constexpr double kSameNormal = 1e-9;   // 1 - cosine between normals of faces that continue each other
+constexpr double kSurelyBounces = 1.0;  // leaving faster than this, no force ends the bouncing [m/s]
 constexpr std::size_t kEventsPerAdvance = 1000000;
 constexpr std::size_t kEventsPerBall = 10000;
 
@@ -38,21 +40,29 @@ void countStreak(BallRecord& ball, double t)
   ball.last_contact = t;
 }
 
-const Event& soonest(const BallRecord& ball)
-{
-  return ball.next_moving.time < ball.next.time ? ball.next_moving : ball.next;
-}
 
-void foreseeAll(WorldState& world, std::size_t i, double t, double window_end)
+constexpr double kFromTheStart = -kNever;
+
+void foreseeAll(WorldState& world, const Window& window, std::size_t i, double t, double resume = kFromTheStart)
 {
   foresee(world, i, t);
-  foreseeMoving(world, i, t, window_end);
+  foreseeMoving(world, i, t, window.smooth_until);
+  world.balls[i].next_ball = Event();
+  for (std::size_t m = 0; m < window.count; ++m)
+    if (window.members[m] != i) foreseeBall(world, i, window.members[m], resume, window.end);
 }
 
-void restart(WorldState& world, std::size_t i, const BallState& state, double t, double window_end)
+void changePath(WorldState& world, const Window& window, std::size_t i, const BallState& state, double t)
 {
-  planPath(world, world.balls[i], state, t, window_end);
-  foreseeAll(world, i, t, window_end);
+  BallRecord& ball = world.balls[i];
+  if (window.sweeps) ball.swept.add(boxOf(ball, window.start, t));
+  planPath(world, ball, state, t, window.smooth_until);
+}
+
+void restart(WorldState& world, const Window& window, std::size_t i, const BallState& state, double t)
+{
+  changePath(world, window, i, state, t);
+  foreseeAll(world, window, i, t);
 }
 
 // --- squeezed balls ---
@@ -83,10 +93,20 @@ bool worthAReport(const BallRecord& ball, double closing)
   return closing > (ball.streak > kLongStreak ? 2.0 * kHopSpeed : kTouchSpeed);
 }
 
-void recordBodyContact(WorldState& world, const BallRecord& ball, const Event& event, const BallState& before,
+// A new record at the end of the list, to be filled in place.
+Contact& newContact(WorldState& world, std::size_t i)
+{
+  world.contacts.emplace_back();
+  world.contact_of.push_back(static_cast<std::uint32_t>(i));
+  ++world.status.contacts;
+  return world.contacts.back();
+}
+
+void recordBodyContact(WorldState& world, std::size_t i, const Event& event, const BallState& before,
                        const BallState& after, const Gap& gap, const Vector3d& u, double t)
 {
-  Contact contact;
+  const BallRecord& ball = world.balls[i];
+  Contact& contact = newContact(world, i);
   contact.time = t;
   contact.ball = ball.id;
   contact.body = event.other;
@@ -99,14 +119,13 @@ void recordBodyContact(WorldState& world, const BallRecord& ball, const Event& e
   contact.w_after = after.w_WB;
   contact.v_other = u;
   contact.impulse = ball.params.mass * (after.v_WB - before.v_WB);
-  world.contacts.push_back(contact);
-  ++world.status.contacts;
 }
 
 // After a bounce: if all bounces to come are too small to count, the ball lies on the surface from now on.
 void settle(const WorldState& world, BallRecord& ball, const Event& event, const Surface& law, const BodyFrame& frame,
-            BallState& state, double t)
+            BallState& state, double leaving, double t)
 {
+  if (leaving > kSurelyBounces) return;
   const BodyRecord& body = world.bodies[event.other];
   const Shape& shape = body.shapes()[event.shape];
   AccelerationBounds bounds;
@@ -141,20 +160,21 @@ Surface lawOf(const WorldState& world, const BallRecord& ball, const BodyRecord&
   return law;
 }
 
-void hitBody(WorldState& world, std::size_t i, const Event& event, double t, double window_end)
+void hitBody(WorldState& world, const Window& window, std::size_t i, const Event& event, double t)
 {
   BallRecord& ball = world.balls[i];
   const BodyRecord& body = world.bodies[event.other];
   const Shape& shape = body.shapes()[event.shape];
-  const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
+  const BodyFrame frame = body.moving ? frameAt(body.motion, t - body.motion.start) : BodyFrame();
   BallState state = ball.stateAt(t);
-  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
+  const Gap gap = body.moving ? gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius)
+                              : gapTo(shape, state.p_WB, state.v_WB, ball.params.radius);
   if (passesSeam(world, ball, state, gap, t))
   {
     ball.passing = {event.other, event.shape, ball.path.end};  // a convex shape stays below its tangent plane
-    return foreseeAll(world, i, t, window_end);
+    return foreseeAll(world, window, i, t);
   }
-  const Vector3d u = frame.pointVelocity(state.p_WB - ball.params.radius * gap.n_W);
+  const Vector3d u = body.moving ? frame.pointVelocity(state.p_WB - ball.params.radius * gap.n_W) : Vector3d::Zero();
   countStreak(ball, t);
   if ((ball.crush > kHopelessCrush && body.moving) ||
       (ball.crush > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
@@ -162,9 +182,9 @@ void hitBody(WorldState& world, std::size_t i, const Event& event, double t, dou
   const Surface law = lawOf(world, ball, body, shape);
   const BallState before = state;
   bounce(law, ball.params, state, u, gap.n_W);
-  if (worthAReport(ball, -gap.rate)) recordBodyContact(world, ball, event, before, state, gap, u, t);
-  settle(world, ball, event, law, frame, state, t);
-  restart(world, i, state, t, window_end);
+  if (worthAReport(ball, -gap.rate)) recordBodyContact(world, i, event, before, state, gap, u, t);
+  settle(world, ball, event, law, frame, state, gap.n_W.dot(state.v_WB - u), t);
+  restart(world, window, i, state, t);
 }
 
 // Speed of separation of two balls after they met with this closing speed. Where forces press them together, the end of a
@@ -176,11 +196,12 @@ double separationSpeed(const BallRecord& a, const BallRecord& b, double closing,
   return pressed ? std::max(closing, kHopSpeed) : closing;
 }
 
-void recordBallContact(WorldState& world, const BallRecord& a, const BallRecord& b, const BallState& before_a,
+void recordBallContact(WorldState& world, std::size_t i, std::size_t k, const BallState& before_a,
                        const BallState& after_a, const Vector3d& v_other, const Vector3d& n, const Vector3d& impulse,
                        double t)
 {
-  Contact contact;
+  const BallRecord &a = world.balls[i], &b = world.balls[k];
+  Contact& contact = newContact(world, i);
   contact.time = t;
   contact.ball = a.id;
   contact.with_ball = true;
@@ -193,14 +214,13 @@ void recordBallContact(WorldState& world, const BallRecord& a, const BallRecord&
   contact.w_after = after_a.w_WB;
   contact.v_other = v_other;
   contact.impulse = impulse;
-  world.contacts.push_back(contact);
-  ++world.status.contacts;
 }
 
-void hitBall(WorldState& world, std::size_t i, std::size_t k, double t, double window_end)
+void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t k, double t)
 {
   BallRecord& a = world.balls[i];
   BallRecord& b = world.balls[k];
+  a.met = b.met = true;
   BallState state_a = a.stateAt(t);
   BallState state_b = b.stateAt(t);
   const Vector3d n = (state_a.p_WB - state_b.p_WB).normalized();
@@ -214,39 +234,41 @@ void hitBall(WorldState& world, std::size_t i, std::size_t k, double t, double w
   const Vector3d p_WC = state_a.p_WB - a.params.radius * n;
   const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
   const Vector3d impulse = part(law, speed, a.params, state_a, b.params, state_b, n);
-  if (worthAReport(a, closing)) recordBallContact(world, a, b, before_a, state_a, v_other, n, impulse, t);
-  planPath(world, a, state_a, t, window_end);
-  planPath(world, b, state_b, t, window_end);
-  foreseeAll(world, i, t, window_end);
-  foreseeAll(world, k, t, window_end);
+  if (worthAReport(a, closing)) recordBallContact(world, i, k, before_a, state_a, v_other, n, impulse, t);
+  changePath(world, window, i, state_a, t);
+  changePath(world, window, k, state_b, t);
+  foreseeAll(world, window, i, t);
+  foreseeAll(world, window, k, t);
 }
 
-void handle(WorldState& world, std::size_t i, double window_end)
+void handle(WorldState& world, const Window& window, std::size_t i)
 {
   const Event event = soonest(world.balls[i]);
   const double t = event.time;
-  if (!stillTrue(world, event) || event.kind == Event::Kind::LookAgain) return foreseeAll(world, i, t, window_end);
+  if (event.kind == Event::Kind::LookAgain) return foreseeAll(world, window, i, t, t);
+  if (!stillTrue(world, event)) return foreseeAll(world, window, i, t);
   switch (event.kind)
   {
     case Event::Kind::HitBody:
-      return hitBody(world, i, event, t, window_end);
+      return hitBody(world, window, i, event, t);
     case Event::Kind::HitBall:
-      return hitBall(world, i, event.other, t, window_end);
+      return hitBall(world, window, i, event.other, t);
     default:
-      return restart(world, i, world.balls[i].stateAt(t), t, window_end);
+      return restart(world, window, i, world.balls[i].stateAt(t), t);
   }
 }
 
-std::size_t earliestBall(const WorldState& world)
+std::size_t earliestBall(const WorldState& world, const Window& window)
 {
   std::size_t first = kNone;
   double time = kNever;
-  for (std::size_t i = 0; i < world.balls.size(); ++i)
-    if (soonest(world.balls[i]).time < time)
-    {
-      time = soonest(world.balls[i]).time;
-      first = i;
-    }
+  for (std::size_t m = 0; m < window.count; ++m)
+  {
+    const double its = soonest(world.balls[window.members[m]]).time;
+    if (its >= time) continue;
+    time = its;
+    first = window.members[m];
+  }
   return first;
 }
 
@@ -261,7 +283,7 @@ bool liesOnMovedBody(const WorldState& world, const BallRecord& ball)
 }
 
 // Paddles move differently from now on: what was foreseen with them is void.
-void startWindow(WorldState& world, double window_end)
+void startWindow(WorldState& world, double end)
 {
   bool stopped = false;
   bool moving = false;
@@ -275,43 +297,62 @@ void startWindow(WorldState& world, double window_end)
     BallRecord& ball = world.balls[i];
     if (ball.squeezed) continue;
     if (liesOnMovedBody(world, ball))
-      restart(world, i, ball.stateAt(world.time), world.time, window_end);
+    {
+      planPath(world, ball, ball.stateAt(world.time), world.time, end);
+      foresee(world, i, world.time);
+    }
     else if (stopped)
-      foreseeAll(world, i, world.time, window_end);
-    else if (moving || ball.next_moving.kind != Event::Kind::None)
-      foreseeMoving(world, i, world.time, window_end);
+      foresee(world, i, world.time);
+    if (moving || ball.next_moving.kind != Event::Kind::None) foreseeMoving(world, i, world.time, end);
   }
 }
 }  // namespace
 
 void restartExact(WorldState& world)
 {
-  for (BallRecord& ball : world.balls)
-    if (!ball.squeezed) planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
-  for (std::size_t i = 0; i < world.balls.size(); ++i) foreseeAll(world, i, world.time, world.time);
+  for (std::size_t i = 0; i < world.balls.size(); ++i)
+  {
+    BallRecord& ball = world.balls[i];
+    if (ball.squeezed) continue;
+    planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
+    foresee(world, i, world.time);
+    ball.next_moving = Event();
+  }
 }
 
-void runExact(WorldState& world, double window_end)
+bool runTogether(WorldState& world, const Window& window)
 {
-  startWindow(world, window_end);
   const std::size_t limit = kEventsPerAdvance + kEventsPerBall * world.balls.size();
-  for (std::size_t i = earliestBall(world); i != kNone; i = earliestBall(world))
+  for (std::size_t i = earliestBall(world, window); i != kNone; i = earliestBall(world, window))
   {
-    if (soonest(world.balls[i]).time > window_end) return;
+    if (soonest(world.balls[i]).time > window.end) return true;
     if (++world.status.events > limit)
     {
       world.status.event_limit = true;
-      return;
+      return false;
     }
-    handle(world, i, window_end);
+    handle(world, window, i);
   }
+  return true;
+}
+
+void runExact(WorldState& world, double end)
+{
+  startWindow(world, end);
+  if (world.balls.size() == 1)
+  {
+    const std::size_t only = 0;
+    runTogether(world, {world.time, end, end, &only, 1, false});
+  }
+  else if (!world.balls.empty())
+    runIslands(world, end);
 }
 
 void squeeze(BallRecord& ball, BallState state, double t)
 {
   ball.squeezed = true;
   ball.supports = Supports();
-  ball.next = ball.next_moving = Event();
+  ball.next = ball.next_moving = ball.next_ball = Event();
   ++ball.version;
   state.v_WB.setZero();
   ball.path = flyParabola(state, t, Vector3d::Zero());
@@ -326,7 +367,8 @@ void releaseSqueezed(WorldState& world)
     const BallState state = ball.stateAt(world.time);
     if (!describeOverlap(world, state.p_WB, ball.params.radius, i).empty()) continue;
     ball.squeezed = false;
-    restart(world, i, state, world.time, world.time);
+    planPath(world, ball, state, world.time, world.time);
+    foresee(world, i, world.time);
   }
 }
 }  // namespace ping_pong

@@ -8,8 +8,23 @@ namespace ping_pong
 /// Plans paths and events of all balls from scratch at world.time.
 void restartExact(WorldState& world);
 
-/// Handles all events up to `window_end`; the motions of all paddles are smooth until then.
-void runExact(WorldState& world, double window_end);
+/// Balls that may meet each other, and how long they are followed.
+struct Window
+{
+  double start = 0.0;                     ///< [s]
+  double end = 0.0;                       ///< [s]
+  double smooth_until = 0.0;              ///< the motions of all paddles are smooth until then [s]
+  const std::size_t* members = nullptr;   ///< indices of balls
+  std::size_t count = 0;
+  bool sweeps = false;                    ///< note the boxes that the balls sweep
+};
+
+/// Handles all events of these balls up to the end of the window, one after the other; false if there are too many.
+/// Their next_ball must be true or void.
+bool runTogether(WorldState& world, const Window& window);
+
+/// Handles all events up to `end`; the motions of all paddles are smooth until then.
+void runExact(WorldState& world, double end);
 
 /// The ball stays where it was last whole, collides with nothing, and is let go at rest when there is room again.
 void squeeze(BallRecord& ball, BallState state, double t);

@@ -60,11 +60,11 @@ void close(Contact& contact, const BallRecord& ball)
 template <Step step>
 void fly(WorldState& world, double h)
 {
-  for (std::size_t i = 0; i < world.balls.size(); ++i)
+  for (BallRecord& ball : world.balls)
   {
-    Segment& path = world.balls[i].path;
-    BallState state = stateOf(world.balls[i]);
-    step(state, world.models[i], h);
+    Segment& path = ball.path;
+    BallState state = stateOf(ball);
+    step(state, ball.model, h);
     if (!std::isfinite(state.p_WB.sum() + state.v_WB.sum()))  // the ball keeps its last finite state
     {
       world.status.not_finite = true;
@@ -73,7 +73,7 @@ void fly(WorldState& world, double h)
     path.c[0] = state.p_WB;
     path.c[1] = state.v_WB;
     if (path.w_WB.isZero(0.0)) continue;
-    path.turn_WB += turnIn(path.w_WB, world.models[i].spinDecay(), h);
+    path.turn_WB += turnIn(path.w_WB, ball.model.spinDecay(), h);
     path.w_WB = state.w_WB;
     if (path.turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
   }
@@ -196,13 +196,6 @@ void collidePairs(WorldState& world, double t)
     }
 }
 }  // namespace
-
-void restartFixedStep(WorldState& world)
-{
-  world.models.clear();
-  world.models.reserve(world.balls.size());
-  for (const BallRecord& ball : world.balls) world.models.emplace_back(world.scene.forces, ball.params);
-}
 
 void runFixedStep(WorldState& world, double end)
 {

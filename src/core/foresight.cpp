@@ -25,22 +25,12 @@ void lookAtBody(const WorldState& world, const BallRecord& ball, std::size_t b, 
     if (ball.supports.has(b, s)) continue;
     const bool passing = ball.passing.body == b && ball.passing.shape == s;
     const double from = passing ? std::max(t, ball.passing.until) : t;
-    const Detection found = firstContact(ball.path, ball.params.radius, body.shapes()[s], body.frame(), from,
-                                         std::min(until, next.time));
+    const double before = std::min(until, next.time);
+    const Detection found =
+        body.moving ? firstContact(ball.path, ball.params.radius, body.body.shapes[s], body.motion, from, before)
+                    : firstContact(ball.path, ball.params.radius, body.placed[s], from, before);
     if (found.time < next.time) next = toEvent(found, Event::Kind::HitBody, b, s, body.version);
   }
-}
-
-void lookAtBall(WorldState& world, std::size_t i, std::size_t k, double t)
-{
-  BallRecord& mine = world.balls[i];
-  BallRecord& other = world.balls[k];
-  if (k == i || other.squeezed || (liesStill(mine) && liesStill(other))) return;
-  const double until = std::min(mine.next.time, t + kHorizon);
-  const Detection found = firstContact(mine.path, mine.params.radius, other.path, other.params.radius, t, until);
-  if (!(found.time < mine.next.time)) return;
-  mine.next = toEvent(found, Event::Kind::HitBall, k, kNone, other.version);
-  if (found.time < other.next.time) other.next = toEvent(found, Event::Kind::HitBall, i, kNone, mine.version);
 }
 
 Event endOfPath(const BallRecord& ball, double t)
@@ -61,7 +51,20 @@ void foresee(WorldState& world, std::size_t i, double t)
   if (!liesStill(ball))
     for (std::size_t b = 0; b < world.bodies.size(); ++b)
       if (!world.bodies[b].moving) lookAtBody(world, ball, b, t, kNever, ball.next);
-  for (std::size_t k = 0; k < world.balls.size(); ++k) lookAtBall(world, i, k, t);
+}
+
+void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end)
+{
+  BallRecord& mine = world.balls[i];
+  BallRecord& other = world.balls[k];
+  if (other.squeezed || mine.squeezed || (liesStill(mine) && liesStill(other))) return;
+  ++world.islands.pair_searches;
+  const double until = std::min(mine.next_ball.time, window_end);
+  const double from = std::max({mine.path.start, other.path.start, resume});
+  const Detection found = firstContact(mine.path, mine.params.radius, other.path, other.params.radius, from, until);
+  if (!(found.time < mine.next_ball.time)) return;
+  mine.next_ball = toEvent(found, Event::Kind::HitBall, k, kNone, other.version);
+  if (found.time < other.next_ball.time) other.next_ball = toEvent(found, Event::Kind::HitBall, i, kNone, mine.version);
 }
 
 void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end)

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "ping_pong_sim/shape.h"
+#include "proximity_here.h"
 
 namespace ping_pong
 {
@@ -104,22 +105,6 @@ Proximity toCylinder(double radius, double half_length, const Vector3d& q)
   return toCylinderSide(over_radius, radial, rho);
 }
 
-Proximity inShapeFrame(const Shape& shape, const Vector3d& q)
-{
-  switch (shape.kind)
-  {
-    case ShapeKind::Box:
-      return toBox(shape.half_size, q);
-    case ShapeKind::Cylinder:
-      return toCylinder(shape.half_size.x(), shape.half_size.z(), q);
-    case ShapeKind::Sphere:
-      return toSphere(shape.half_size.x(), q);
-    case ShapeKind::HalfSpace:
-      break;
-  }
-  return flatFace(q.z(), 2, 1.0);
-}
-
 double supportInShapeFrame(const Shape& shape, const Vector3d& n)
 {
   switch (shape.kind)
@@ -138,9 +123,33 @@ double supportInShapeFrame(const Shape& shape, const Vector3d& n)
 }
 }  // namespace
 
+Proximity proximityHere(const Shape& shape, const Vector3d& q)
+{
+  switch (shape.kind)
+  {
+    case ShapeKind::Box:
+      return toBox(shape.half_size, q);
+    case ShapeKind::Cylinder:
+      return toCylinder(shape.half_size.x(), shape.half_size.z(), q);
+    case ShapeKind::Sphere:
+      return toSphere(shape.half_size.x(), q);
+    case ShapeKind::HalfSpace:
+      break;
+  }
+  return flatFace(q.z(), 2, 1.0);
+}
+
 Proximity proximity(const Shape& shape, const Vector3d& p_BQ)
 {
-  Proximity found = inShapeFrame(shape, shape.R_BS.transpose() * (p_BQ - shape.p_BS));
+  if (shape.kind == ShapeKind::HalfSpace)
+  {
+    Proximity found;
+    found.normal = shape.R_BS.col(2);
+    found.t1 = shape.R_BS.col(0);
+    found.distance = found.normal.dot(p_BQ - shape.p_BS);
+    return found;
+  }
+  Proximity found = proximityHere(shape, shape.R_BS.transpose() * (p_BQ - shape.p_BS));
   found.normal = shape.R_BS * found.normal;
   found.t1 = shape.R_BS * found.t1;
   return found;

@@ -60,6 +60,8 @@ void World::Impl::start()
   time = time_rest = 0.0;
   next_id = 0;
   contacts.clear();
+  contact_of.clear();
+  islands = IslandRecords();
   status = StepStatus();
   balls.clear();
   bodies.clear();
@@ -77,9 +79,7 @@ void World::Impl::start()
 
 BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
 {
-  BallRecord ball;
-  ball.id = next_id++;
-  ball.params = params;
+  BallRecord ball(next_id++, params, scene.forces);
   ball.path = flyParabola(state, time, Vector3d::Zero());
   balls.push_back(ball);
   return balls.back();
@@ -87,7 +87,7 @@ BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
 
 void World::Impl::plan()
 {
-  locatesContacts(scene.method) ? restartExact(*this) : restartFixedStep(*this);
+  if (locatesContacts(scene.method)) restartExact(*this);
 }
 
 // Neumaier's compensated sum.
@@ -193,6 +193,7 @@ StepStatus World::advance(double duration)
 {
   Impl& world = *impl_;
   world.contacts.clear();
+  world.contact_of.clear();
   world.status = StepStatus();
   if (!(duration > 0.0) || !std::isfinite(duration)) return world.status;
   const double end = world.later(duration);

@@ -1,8 +1,35 @@
 #include "world_state.h"
 
+#include <algorithm>
+
 namespace ping_pong
 {
 const BodyMotion BodyRecord::kWorldFrame;
+
+namespace
+{
+// Least value of v s + a s^2 / 2 for s in [0, T].
+double leastOn(double v, double a, double T)
+{
+  if (a > 0.0 && v < 0.0 && -v < a * T) return -0.5 * v * v / a;
+  return std::min(0.0, (v + 0.5 * a * T) * T);
+}
+}  // namespace
+
+Box boxOf(const BallRecord& ball, double from, double to)
+{
+  const Segment& path = ball.path;
+  const double s = std::max(from - path.start, 0.0);
+  const double T = std::max(to - path.start - s, 0.0);
+  const Vector3d p = path.position(s), v = path.velocity(s);
+  Box box;
+  for (int i = 0; i < 3; ++i)
+  {
+    box.low[i] = p[i] + leastOn(v[i], path.a_low[i], T) - ball.params.radius;
+    box.high[i] = p[i] - leastOn(-v[i], -path.a_high[i], T) + ball.params.radius;
+  }
+  return box;
+}
 
 void placeBody(BodyRecord& body, Pose pose)
 {
@@ -10,12 +37,7 @@ void placeBody(BodyRecord& body, Pose pose)
   body.motion.pose = pose;
   body.moving = false;
   ++body.version;
-  const Matrix3d R_WB = pose.q.toRotationMatrix();
-  body.placed = body.body.shapes;
-  for (Shape& shape : body.placed)
-  {
-    shape.p_BS = R_WB * shape.p_BS + pose.p;
-    shape.R_BS = R_WB * shape.R_BS;
-  }
+  body.placed.clear();
+  for (const Shape& shape : body.body.shapes) body.placed.push_back(placed(shape, pose));
 }
 }  // namespace ping_pong

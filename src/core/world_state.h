@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "broad_phase.h"
 #include "ping_pong_sim/contact.h"
 #include "ping_pong_sim/detect.h"
 #include "ping_pong_sim/scene.h"
@@ -42,21 +43,38 @@ struct BallRecord
 {
   BallId id = 0;
   BallParams params;
+  FlightModel model;
   Segment path;
   Supports supports;
   bool squeezed = false;
   double step = 0.0;  ///< length of the next piece of flight through air, 0: unknown [s]
   bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
-  Event next;         ///< with still bodies and balls; holds until the path changes
+  Event next;         ///< with still bodies; holds until the path changes
   Event next_moving;  ///< with moving bodies; holds for this window
+  Event next_ball;    ///< with balls of the same island; holds for this window
   unsigned version = 0;
   int streak = 0;                ///< contacts in quick succession, see exact_method.cpp
   int crush = 0;                 ///< contacts in even quicker succession
   double last_contact = -1e300;  ///< [s]
   Passing passing;
+  Box swept;                     ///< by its paths in this window, but for the last one
+  bool met = false;              ///< has hit a ball in this window
 
+  BallRecord(BallId its_id, const BallParams& its_params, const Forces& forces)
+    : id(its_id), params(its_params), model(forces, its_params)
+  {
+  }
   BallState stateAt(double time) const { return path.state(time - path.start); }
 };
+
+inline const Event& soonest(const BallRecord& ball)
+{
+  const Event& with_body = ball.next_moving.time < ball.next.time ? ball.next_moving : ball.next;
+  return ball.next_ball.time < with_body.time ? ball.next_ball : with_body;
+}
+
+/// Contains the ball on its path at all times in [from, to], or from the start of the path if that is later.
+Box boxOf(const BallRecord& ball, double from, double to);
 
 struct BodyRecord
 {
@@ -74,15 +92,37 @@ struct BodyRecord
   static const BodyMotion kWorldFrame;
 };
 
+/// What the exact method keeps from window to window, see islands.h.
+struct IslandRecords
+{
+  static constexpr std::uint32_t kNotSaved = ~0u;
+
+  double length = 0.02;                    ///< of the next window [s]
+  std::size_t pair_searches = 0;           ///< in this window
+  BroadPhase broad_phase;
+  std::vector<Box> alone;                  ///< swept by each ball if no other ball were there
+  std::vector<Box> swept;                  ///< swept by each ball
+  std::vector<BallRecord> saved;           ///< balls at the start of the window, of those that have changed since
+  std::vector<std::uint32_t> saved_at;     ///< index in `saved`, by ball
+  std::vector<std::uint32_t> root;         ///< union-find over balls; the least index of an island is its root
+  std::vector<std::uint32_t> next;         ///< circular list of an island's balls
+  std::vector<std::uint32_t> islands;      ///< a ball of each island
+  std::vector<char> settled;               ///< by root: the island has run and met nobody outside
+  std::vector<std::size_t> members;        ///< the island at work
+  std::vector<std::uint32_t> found, near;  ///< balls in whose way an island's ball has come
+  std::vector<std::uint32_t> hit;          ///< balls that another one has thrown off their path
+};
+
 struct WorldState
 {
   Scene scene;
   double time = 0.0;  ///< [s]
   std::vector<BallRecord> balls;
   std::vector<BodyRecord> bodies;
-  std::vector<FlightModel> models;  ///< of the sampled methods, one per ball
   std::vector<Contact> contacts;
+  std::vector<std::uint32_t> contact_of;  ///< index of the ball, by contact
   StepStatus status;
+  IslandRecords islands;
 
   const Surface& surface(const BallRecord& ball, const Shape& shape) const
   {

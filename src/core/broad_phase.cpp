@@ -1,0 +1,132 @@
+#include "broad_phase.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ping_pong
+{
+namespace
+{
+constexpr int kManyCells = 64;         // a box over more cells than this is large
+constexpr double kCellsPerBox = 2.0;   // cells of the grid for each box, at most
+constexpr double kSpread = 3.0;        // the grid covers so many standard deviations; boxes outside are in its outer cells
+constexpr double kCellInBoxes = 1.5;   // edge of a cell, in mean edges of a box
+
+bool before(const BroadPhase::Pair& p, const BroadPhase::Pair& q)
+{
+  return p.a != q.a ? p.a < q.a : p.b < q.b;
+}
+}  // namespace
+
+void BroadPhase::layOut(const std::vector<Box>& boxes)
+{
+  const double n = static_cast<double>(boxes.size());
+  Vector3d sum = Vector3d::Zero();
+  double edge = 0.0;
+  for (const Box& box : boxes)
+  {
+    sum += box.low;
+    edge += (box.high - box.low).maxCoeff();
+  }
+  const Vector3d mean = sum / n;
+  Vector3d square = Vector3d::Zero();
+  for (const Box& box : boxes) square += (box.low - mean).cwiseAbs2();
+  const Vector3d half = kSpread * (square / n).cwiseSqrt();
+  origin_ = mean - half;
+  double size = std::max(kCellInBoxes * edge / n, 1e-9);
+  // Fewer and larger cells, until there are not many more than boxes.
+  for (;; size *= 1.25)
+  {
+    double cells = 1.0;
+    for (int i = 0; i < 3; ++i) cells *= std::floor(2.0 * half[i] / size) + 1.0;
+    if (cells <= kCellsPerBox * n + 1.0) break;
+  }
+  cells_per_metre_ = 1.0 / size;
+  for (int i = 0; i < 3; ++i) count_[i] = static_cast<int>(2.0 * half[i] / size) + 1;
+}
+
+BroadPhase::Range BroadPhase::cellsOf(const Box& box) const
+{
+  Range range;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double last = count_[i] - 1;
+    range.low[i] = static_cast<int>(std::clamp((box.low[i] - origin_[i]) * cells_per_metre_, 0.0, last));
+    range.high[i] = static_cast<int>(std::clamp((box.high[i] - origin_[i]) * cells_per_metre_, 0.0, last));
+  }
+  return range;
+}
+
+void BroadPhase::fill(const std::vector<Box>& boxes)
+{
+  const auto cellsIn = [](const Range& r) {
+    return (r.high[0] - r.low[0] + 1.0) * (r.high[1] - r.low[1] + 1.0) * (r.high[2] - r.low[2] + 1.0);
+  };
+  const auto eachCell = [this](const Range& r, auto action) {
+    for (int z = r.low[2]; z <= r.high[2]; ++z)
+      for (int y = r.low[1]; y <= r.high[1]; ++y)
+        for (int x = r.low[0]; x <= r.high[0]; ++x) action(static_cast<std::size_t>(cell(x, y, z)));
+  };
+  start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
+  ranges_.resize(boxes.size());
+  large_.clear();
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+  {
+    ranges_[i] = cellsOf(boxes[i]);
+    if (cellsIn(ranges_[i]) > kManyCells)
+      large_.push_back(i);
+    else
+      eachCell(ranges_[i], [this](std::size_t c) { ++start_[c]; });
+  }
+  std::uint32_t total = 0;
+  for (std::uint32_t& start : start_) start = total += start;  // ends of the cells; filled from behind they become starts
+  entries_.resize(total);
+  for (std::uint32_t i = static_cast<std::uint32_t>(boxes.size()); i-- > 0;)
+    if (cellsIn(ranges_[i]) <= kManyCells) eachCell(ranges_[i], [&](std::size_t c) { entries_[--start_[c]] = i; });
+}
+
+const std::vector<BroadPhase::Pair>& BroadPhase::findPairs(const std::vector<Box>& boxes)
+{
+  layOut(boxes);
+  fill(boxes);
+  pairs_.clear();
+  for (std::size_t c = 0; c + 1 < start_.size(); ++c)
+    for (std::uint32_t p = start_[c]; p < start_[c + 1]; ++p)
+      for (std::uint32_t q = p + 1; q < start_[c + 1]; ++q)
+      {
+        const std::uint32_t a = entries_[p], b = entries_[q];
+        if (!boxes[a].overlaps(boxes[b])) continue;
+        // Boxes that share cells tell of it in the first of them only.
+        const Range &ra = ranges_[a], &rb = ranges_[b];
+        const int first = cell(std::max(ra.low[0], rb.low[0]), std::max(ra.low[1], rb.low[1]),
+                               std::max(ra.low[2], rb.low[2]));
+        if (first == static_cast<int>(c)) pairs_.push_back({a, b});
+      }
+  for (std::size_t l = 0; l < large_.size(); ++l)
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    {
+      const std::uint32_t big = large_[l];
+      if (i == big || !boxes[i].overlaps(boxes[big])) continue;
+      const bool other_large = std::binary_search(large_.begin(), large_.end(), i);
+      if (!other_large || i > big) pairs_.push_back({std::min(i, big), std::max(i, big)});
+    }
+  std::sort(pairs_.begin(), pairs_.end(), before);
+  return pairs_;
+}
+
+void BroadPhase::findOverlapping(const Box& box, const std::vector<Box>& boxes, std::vector<std::uint32_t>& found) const
+{
+  found.clear();
+  const Range r = cellsOf(box);
+  for (int z = r.low[2]; z <= r.high[2]; ++z)
+    for (int y = r.low[1]; y <= r.high[1]; ++y)
+      for (int x = r.low[0]; x <= r.high[0]; ++x)
+      {
+        const std::size_t c = static_cast<std::size_t>(cell(x, y, z));
+        for (std::uint32_t p = start_[c]; p < start_[c + 1]; ++p)
+          if (boxes[entries_[p]].overlaps(box)) found.push_back(entries_[p]);
+      }
+  for (const std::uint32_t i : large_)
+    if (boxes[i].overlaps(box)) found.push_back(i);
+}
+}  // namespace ping_pong
