@@ -1,4 +1,4 @@
-// Moving the world on takes no memory from the heap once it has run for a while.
+// Once it has run for a while, moving the world on takes no memory from the heap.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -68,9 +68,8 @@ TEST(Allocations, TheCounterCounts)
 
 TEST(Allocations, NoneInASecondOfBounces)
 {
-  // Where contacts are located, records grow with the largest group of balls so far: that may happen once more in 100 ticks.
-  for (const Method method : kMethods)
-    EXPECT_LE(allocationsOfASecond(method), locatesContacts(method) ? 2 : 0) << name(method);
+  // Records grow with the busiest tick and the largest group of balls so far: that may happen once or twice more in 100 ticks.
+  for (const Method method : kMethods) EXPECT_LE(allocationsOfASecond(method), 2) << name(method);
 }
 }  // namespace
 }  // namespace ping_pong
