@@ -1,6 +1,6 @@
-# Other simulators on our chart. Only looked for with -DBENCH_PEERS=ON; Debian's packages: scripts/install-dependencies peers
+# Other simulators on our chart, from Debian's packages. Nothing of it is looked for without -DBENCH_PEERS=ON.
 function(missing_peer package)
-  message(FATAL_ERROR "BENCH_PEERS: ${package} is missing: scripts/install-dependencies peers, or apt-get install ${package}")
+  message(FATAL_ERROR "BENCH_PEERS: ${package} is missing; `scripts/install-dependencies peers` installs all of them")
 endfunction()
 
 # pkg-config module -> target PkgConfig::NAME
@@ -22,8 +22,7 @@ if(NOT MUJOCO_LIBRARY OR NOT MUJOCO_INCLUDE_DIR)
   missing_peer(libmujoco-dev)
 endif()
 
-# The flags of some of their .pc files ask for C++11: take the rest, and leave the standard to us. Their headers are system
-# headers, since our warnings are stricter than they expect.
+# Some of their .pc files ask for C++11: take the rest, and leave the standard to us.
 set(peer_targets PkgConfig::BULLET PkgConfig::ODE PkgConfig::DART PkgConfig::SIMBODY)
 foreach(peer ${peer_targets})
   get_target_property(flags ${peer} INTERFACE_COMPILE_OPTIONS)
@@ -51,3 +50,6 @@ target_include_directories(${PROJECT_NAME}_peers SYSTEM PRIVATE ${MUJOCO_INCLUDE
 add_executable(${PROJECT_NAME}_peers_check bench/peers/check.cpp)
 set_target_properties(${PROJECT_NAME}_peers_check PROPERTIES OUTPUT_NAME peers_check)
 target_link_libraries(${PROJECT_NAME}_peers_check PRIVATE ${PROJECT_NAME}_peers ${PROJECT_NAME}_options)
+if(CORE_ONLY)
+  add_test(NAME peers_check COMMAND ${PROJECT_NAME}_peers_check)
+endif()

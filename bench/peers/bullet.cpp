@@ -10,8 +10,14 @@ namespace
 {
 constexpr double kAlwaysGrips = 1e6;  // Bullet computes with mu: infinity times no load is not a number
 
-btVector3 toBullet(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Vector3d fromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+btVector3 toBullet(const Vector3d& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
+Vector3d fromBullet(const btVector3& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
 btTransform toBullet(const Pose& pose)
 {
   return btTransform(btQuaternion(pose.q.x(), pose.q.y(), pose.q.z(), pose.q.w()), toBullet(pose.p));
@@ -23,9 +29,9 @@ public:
   BulletEngine(const Scene& scene, bool best, double step);
   ~BulletEngine() override;
   void drive(std::size_t body, const Twist& twist) override;
-  BallState ballState(std::size_t ball) const override;
 
 private:
+  BallState stateNow(std::size_t ball) const override;
   // A ball, or one shape of a body: Bullet's contact laws belong to objects, ours to shapes.
   struct Object
   {
@@ -157,7 +163,7 @@ void BulletEngine::stepOnce()
 {
   for (std::size_t i = 0; !onlyGravity() && i < scene_.balls.size(); ++i)
   {
-    const BallState state = ballState(i);
+    const BallState state = stateNow(i);
     objects_[i]->rigid->applyCentralForce(toBullet(flightForce(i, state)));
     objects_[i]->rigid->applyTorque(toBullet(flightTorque(i, state)));
   }
@@ -167,7 +173,7 @@ void BulletEngine::stepOnce()
   world_.stepSimulation(step_, 0);  // 0: one step of exactly this length
 }
 
-BallState BulletEngine::ballState(std::size_t ball) const
+BallState BulletEngine::stateNow(std::size_t ball) const
 {
   const btRigidBody& rigid = *objects_[ball]->rigid;
   const btQuaternion q = rigid.getOrientation();
@@ -179,8 +185,14 @@ BallState BulletEngine::ballState(std::size_t ball) const
   return state;
 }
 
-std::string refuse(const Scene& scene, const std::string&) { return refuseForAll(scene); }
+std::string refuse(const Scene& scene, const std::string&)
+{
+  return refuseForAll(scene);
+}
 }  // namespace
 
-EngineKind bulletKind() { return {"bullet", {"default", "best"}, refuse, makeEngine<BulletEngine>}; }
+EngineKind bulletKind()
+{
+  return {"bullet", {"default", "best"}, refuse, makeEngine<BulletEngine>};
+}
 }  // namespace ping_pong::bench

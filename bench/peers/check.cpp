@@ -13,19 +13,19 @@ namespace ping_pong::bench
 {
 namespace
 {
-constexpr double kGravity = 9.81;  // [m/s^2]
-constexpr double kStart = 1e-10;   // in which our drive brings a body to its velocity [s]
+constexpr double kGravity = 9.81;          // [m/s^2]
+constexpr double kStart = 1e-10;           // in which our drive brings a body to its velocity [s]
 constexpr double kSteps[] = {1e-3, 1e-4};  // [s]; tolerances of engines that have no steps
 
 struct Case
 {
   std::string name;
   Scene scene;
-  double duration = 0.5;            // [s]
-  std::size_t driven = kNone;       // this body moves with this twist
+  double duration = 0.5;       // [s]
+  std::size_t driven = kNone;  // this body moves with this twist
   Twist twist = {};
-  double bound = 0.0;               // error that "best" may have at the shorter step [m], [m/s]; r w counts as a speed
-  double soft_bound = 0.03;         // the same for an engine that has no restitution, nor friction in a bounce that fits
+  double bound = 0.0;        // error that "best" may have at the shorter step [m], [m/s]; r w counts as a speed
+  double soft_bound = 0.03;  // the same for an engine that has no restitution, nor friction in a bounce that fits
 };
 
 SceneBall ballAt(const Vector3d& p, const Vector3d& v, const Vector3d& w = Vector3d::Zero())
@@ -165,9 +165,18 @@ Case twoBalls()
 
 std::vector<Case> allCases()
 {
-  return {freeFlight(), flightInAir(), apex(), bounce("bounce, e .9", ShapeKind::HalfSpace, 0.9, 1.5),
-          bounce("bounce, e 1", ShapeKind::HalfSpace, 1.0, 1.5), bounce("on box, e .9", ShapeKind::Box, 0.9, 1.5),
-          spin("spin, slides", 0.1, 3.0), spin("spin, grips", 0.5, 1.0), slideAndRoll(), tilted(), paddle(), swing(),
+  return {freeFlight(),
+          flightInAir(),
+          apex(),
+          bounce("bounce, e .9", ShapeKind::HalfSpace, 0.9, 1.5),
+          bounce("bounce, e 1", ShapeKind::HalfSpace, 1.0, 1.5),
+          bounce("on box, e .9", ShapeKind::Box, 0.9, 1.5),
+          spin("spin, slides", 0.1, 3.0),
+          spin("spin, grips", 0.5, 1.0),
+          slideAndRoll(),
+          tilted(),
+          paddle(),
+          swing(),
           twoBalls()};
 }
 

@@ -18,7 +18,7 @@ namespace
 {
 namespace dd = dart::dynamics;
 
-constexpr double kPlaneSize = 1e3;   // a half-space is a cube of this edge [m]: the exact detector knows no planes
+constexpr double kPlaneSize = 1e3;  // a half-space is a cube of this edge [m]: the exact detector knows no planes
 constexpr double kAlwaysGrips = 1e6;
 
 Eigen::Isometry3d toDart(const Pose& pose)
@@ -29,7 +29,8 @@ Eigen::Isometry3d toDart(const Pose& pose)
   return X;
 }
 
-// DART multiplies restitution coefficients and takes the smaller friction: what each ball has, so that shapes can bring the rest.
+// DART multiplies restitution coefficients and takes the smaller friction: what each ball has, so that shapes can bring
+// the rest.
 struct BallCoefficients
 {
   double restitution = 1.0;
@@ -47,9 +48,9 @@ class DartEngine : public SteppedEngine
 {
 public:
   DartEngine(const Scene& scene, bool best, double step);
-  BallState ballState(std::size_t ball) const override;
 
 private:
+  BallState stateNow(std::size_t ball) const override;
   void stepOnce() override;
   dd::BodyNode* newBody(const Pose& pose);
   void addBall(std::size_t index);
@@ -65,7 +66,7 @@ private:
 };
 
 DartEngine::DartEngine(const Scene& scene, bool best, double step)
-  : SteppedEngine(scene, step), best_(best), coefficients_(coefficientsOfBalls(scene))
+    : SteppedEngine(scene, step), best_(best), coefficients_(coefficientsOfBalls(scene))
 {
   world_->setTimeStep(step);
   world_->setGravity(engineGravity());
@@ -139,7 +140,7 @@ void DartEngine::moveDriven()
 // DART's friction is a pyramid. With an edge along the slip it holds Coulomb's law for a ball that slides.
 void DartEngine::aimFriction(std::size_t ball)
 {
-  const BallState state = ballState(ball);
+  const BallState state = stateNow(ball);
   const double radius = scene_.balls[ball].params.radius;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (const Shape& shape : scene_.bodies[b].shapes)
@@ -165,14 +166,14 @@ void DartEngine::stepOnce()
   {
     if (best_ && rough_) aimFriction(i);
     if (onlyGravity()) continue;
-    const BallState state = ballState(i);
+    const BallState state = stateNow(i);
     balls_[i]->addExtForce(flightForce(i, state));
     balls_[i]->addExtTorque(flightTorque(i, state));
   }
   world_->step();
 }
 
-BallState DartEngine::ballState(std::size_t ball) const
+BallState DartEngine::stateNow(std::size_t ball) const
 {
   const dd::BodyNode& node = *balls_[ball];
   BallState state;
@@ -191,12 +192,17 @@ std::string refuse(const Scene& scene, const std::string&)
   for (const auto& body : laws.ball_shape)
     for (const Surface& law : body)
     {
-      if (law.restitution > 0.0 && ball.restitution == 0.0) return "it multiplies coefficients: e = 0 between balls makes all 0";
-      if (law.friction > ball.friction) return "it takes the smaller friction: balls cannot be smoother among themselves";
+      if (law.restitution > 0.0 && ball.restitution == 0.0)
+        return "it multiplies coefficients: e = 0 between balls makes all 0";
+      if (law.friction > ball.friction)
+        return "it takes the smaller friction: balls cannot be smoother among themselves";
     }
   return refuseForAll(scene);
 }
 }  // namespace
 
-EngineKind dartKind() { return {"dart", {"default", "best"}, refuse, makeEngine<DartEngine>}; }
+EngineKind dartKind()
+{
+  return {"dart", {"default", "best"}, refuse, makeEngine<DartEngine>};
+}
 }  // namespace ping_pong::bench

@@ -1,4 +1,5 @@
-// MuJoCo 2.2.2. It has no restitution: contacts are springs and dampers. How e becomes one, and all settings: README.md.
+// MuJoCo 2.2.2. It has no restitution: contacts are springs and dampers. How e becomes one, and all settings:
+// README.md.
 #include <mujoco/mujoco.h>
 
 #include <cmath>
@@ -12,12 +13,14 @@ namespace ping_pong::bench
 {
 namespace
 {
-// Length of a bounce in steps, "best": few, for it comes that much late; more for shorter steps, so that e is met ever better.
-constexpr double kStepsInContact = 6.0;   // at kStep
-constexpr double kStep = 1e-3;            // [s]
-constexpr double kGrowth = 0.2;           // steps in contact grow with this power of 1 / step
-constexpr double kMaxDamping = 2.0;       // damping ratio that stands for e = 0 and all that is nearly so
-constexpr double kHeavy = 1e6;            // mass of a driven body / mass of a ball
+// Length of a bounce in steps, "best": few, for it comes that much late; more for shorter steps, so that e is met ever
+// better.
+constexpr double kStepsInContact = 6.0;  // at kStep
+constexpr double kStep = 1e-3;           // [s]
+constexpr double kGrowth = 0.2;          // steps in contact grow with this power of 1 / step
+constexpr double kMaxDamping = 2.0;      // damping ratio that stands for e = 0 and all that is nearly so
+constexpr double kHeavy = 1e6;           // mass of a driven body / mass of a ball
+constexpr std::size_t kContactsPerBall = 6;
 constexpr double kAlwaysGrips = 1e6;
 
 // Speed after / before on a spring and damper that cannot pull (Schwager and Poeschel 2007, with time in 1/omega_0):
@@ -49,10 +52,11 @@ class MujocoEngine : public SteppedEngine
 {
 public:
   MujocoEngine(const Scene& scene, bool best, double step);
-  BallState ballState(std::size_t ball) const override;
 
 private:
+  BallState stateNow(std::size_t ball) const override;
   void stepOnce() override;
+  bool rough() const;  // any friction at all
   std::string xml() const;
   // Half a period of the contact's spring is its time in contact [1/s].
   double springRate() const { return M_PI / (kStepsInContact * std::pow(kStep / step_, kGrowth) * step_); }
@@ -93,6 +97,8 @@ std::string text(const Quaterniond& q)
 
 MujocoEngine::MujocoEngine(const Scene& scene, bool best, double step) : SteppedEngine(scene, step), best_(best)
 {
+  mju_user_warning = [](const char*) {};                                            // else it writes a log file
+  mju_user_error = [](const char* message) { throw std::runtime_error(message); };  // else it ends the process
   const std::string source = xml();
   mjVFS files;
   mj_defaultVFS(&files);
@@ -159,35 +165,46 @@ void MujocoEngine::writeBody(std::ostream& out, std::size_t index) const
   if (driven)
   {
     const double mass = kHeavy * (scene_.balls.empty() ? 1.0 : scene_.balls[0].params.mass);
-    out << "<freejoint/><inertial pos='0 0 0' mass='" << mass << "' diaginertia=" << text(Vector3d::Constant(mass)) << "/>";
+    out << "<freejoint/><inertial pos='0 0 0' mass='" << mass << "' diaginertia=" << text(Vector3d::Constant(mass))
+        << "/>";
   }
   for (const Shape& shape : body.shapes)
   {
     const bool plane = shape.kind == ShapeKind::HalfSpace;
     const Surface law = scene_.balls.empty() ? Surface() : shapeLaw(scene_, 0, shape);
-    out << "<geom type='" << (plane ? "plane" : "box") << "' size="
-        << text(plane ? Vector3d(0, 0, 1) : shape.half_size) << " pos=" << text(shape.p_BS)
-        << " quat=" << text(Quaterniond(shape.R_BS)) << " contype='2' conaffinity='0' priority='1'"
-        << contactAttributes(law) << "/>";
+    out << "<geom type='" << (plane ? "plane" : "box") << "' size=" << text(plane ? Vector3d(0, 0, 1) : shape.half_size)
+        << " pos=" << text(shape.p_BS) << " quat=" << text(Quaterniond(shape.R_BS))
+        << " contype='2' conaffinity='0' priority='1'" << contactAttributes(law) << "/>";
   }
   out << "</body>\n";
 }
 
+bool MujocoEngine::rough() const
+{
+  const SharedLaws laws = sharedLaws(scene_);
+  bool any = laws.ball_ball.friction > 0.0;
+  for (const auto& body : laws.ball_shape)
+    for (const Surface& law : body) any = any || law.friction > 0.0;
+  return any;
+}
+
 std::string MujocoEngine::xml() const
 {
-  const std::size_t contacts = 16 * scene_.balls.size() + 16;
+  const std::size_t contacts = kContactsPerBall * scene_.balls.size() + 16;
+  const std::size_t rows = rough() ? 4 * contacts : contacts;  // memory goes with their square
   std::ostringstream out;
   out.precision(17);
   out << "<mujoco><option timestep='" << step_ << "' gravity=" << text(engineGravity());
   if (best_) out << " integrator='RK4' cone='elliptic' tolerance='0' iterations='100'";
-  out << "/><size nconmax='" << contacts << "' njmax='" << 4 * contacts << "'/><worldbody>\n";
+  out << "/><size nconmax='" << contacts << "' njmax='" << rows << "'/><worldbody>\n";
   for (std::size_t i = 0; i < scene_.balls.size(); ++i) writeBall(out, i);
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) writeBody(out, b);
   out << "</worldbody></mujoco>\n";
   return out.str();
 }
 
-// MuJoCo's own moving scenery has no velocity in contacts, so that a driven body is a very heavy free one, put right each step.
+// MuJoCo's own moving scenery has no velocity in contacts, so that a driven body is a very heavy free one, put right
+// each step.
 void MujocoEngine::moveDriven()
 {
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
@@ -240,9 +257,9 @@ void MujocoEngine::addFlight(mjData* data) const
   }
 }
 
-// The damper of a bounce with e near 1 is far too weak to stop the slip within it. Later versions have `solreffriction` for
-// this; here the reference acceleration of the slip is set by hand. The rate is a compromise: a lower one leaves slip, a higher
-// one lifts the ball, since in this contact model slip that friction cannot stop opens the contact.
+// The damper of a bounce with e near 1 is far too weak to stop the slip within it. Later versions have `solreffriction`
+// for this; here the reference acceleration of the slip is set by hand. The rate is a compromise: a lower one leaves
+// slip, a higher one lifts the ball, since in this contact model slip that friction cannot stop opens the contact.
 void MujocoEngine::dampSlip(mjData* data) const
 {
   for (int i = 0; i < data->ncon; ++i)
@@ -254,7 +271,10 @@ void MujocoEngine::dampSlip(mjData* data) const
   }
 }
 
-BallState MujocoEngine::ballState(std::size_t ball) const { return stateIn(data_.get(), ball); }
+BallState MujocoEngine::stateNow(std::size_t ball) const
+{
+  return stateIn(data_.get(), ball);
+}
 
 std::string refuse(const Scene& scene, const std::string&)
 {
@@ -266,5 +286,8 @@ std::string refuse(const Scene& scene, const std::string&)
 }
 }  // namespace
 
-EngineKind mujocoKind() { return {"mujoco", {"default", "best"}, refuse, makeEngine<MujocoEngine>}; }
+EngineKind mujocoKind()
+{
+  return {"mujoco", {"default", "best"}, refuse, makeEngine<MujocoEngine>};
+}
 }  // namespace ping_pong::bench

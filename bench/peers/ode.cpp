@@ -8,9 +8,13 @@ namespace ping_pong::bench
 {
 namespace
 {
-constexpr int kMaxContacts = 4;  // of one pair; a ball touches in one point
+constexpr std::size_t kFew = 10;  // objects, up to which trying all pairs is cheapest
+constexpr int kMaxContacts = 4;   // of one pair; a ball touches in one point
 
-Vector3d fromOde(const dReal* v) { return {v[0], v[1], v[2]}; }
+Vector3d fromOde(const dReal* v)
+{
+  return {v[0], v[1], v[2]};
+}
 
 void initOde()
 {
@@ -23,9 +27,9 @@ class OdeEngine : public SteppedEngine
 public:
   OdeEngine(const Scene& scene, bool best, double step);
   ~OdeEngine() override;
-  BallState ballState(std::size_t ball) const override;
 
 private:
+  BallState stateNow(std::size_t ball) const override;
   struct Object
   {
     std::size_t ball = kNone;
@@ -55,7 +59,8 @@ OdeEngine::OdeEngine(const Scene& scene, bool best, double step) : SteppedEngine
 {
   initOde();
   world_ = dWorldCreate();
-  space_ = dHashSpaceCreate(nullptr);
+  const bool few = scene_.balls.size() + scene_.bodies.size() < kFew;
+  space_ = few ? dSimpleSpaceCreate(nullptr) : dHashSpaceCreate(nullptr);
   contacts_ = dJointGroupCreate(0);
   const Vector3d g = engineGravity();
   dWorldSetGravity(world_, g.x(), g.y(), g.z());
@@ -150,7 +155,7 @@ void OdeEngine::stepOnce()
 {
   for (std::size_t i = 0; !onlyGravity() && i < scene_.balls.size(); ++i)
   {
-    const BallState state = ballState(i);
+    const BallState state = stateNow(i);
     const Vector3d force = flightForce(i, state), torque = flightTorque(i, state);
     dBodyAddForce(objects_[i]->rigid, force.x(), force.y(), force.z());
     dBodyAddTorque(objects_[i]->rigid, torque.x(), torque.y(), torque.z());
@@ -207,7 +212,7 @@ void OdeEngine::touch(dGeomID a, dGeomID b)
   }
 }
 
-BallState OdeEngine::ballState(std::size_t ball) const
+BallState OdeEngine::stateNow(std::size_t ball) const
 {
   const dBodyID rigid = objects_[ball]->rigid;
   const dReal* q = dBodyGetQuaternion(rigid);
@@ -228,5 +233,8 @@ std::string refuse(const Scene& scene, const std::string&)
 }
 }  // namespace
 
-EngineKind odeKind() { return {"ode", {"default", "best"}, refuse, makeEngine<OdeEngine>}; }
+EngineKind odeKind()
+{
+  return {"ode", {"default", "best"}, refuse, makeEngine<OdeEngine>};
+}
 }  // namespace ping_pong::bench

@@ -1,4 +1,5 @@
-// Other simulators on our chart: Bullet, ODE, DART, MuJoCo and Simbody as Debian ships them. Built with -DBENCH_PEERS=ON.
+// Other simulators on our chart: Bullet, ODE, DART, MuJoCo and Simbody as Debian ships them. Built with
+// -DBENCH_PEERS=ON.
 #pragma once
 
 #include <vector>

@@ -68,10 +68,10 @@ class SimbodyStepper : public SteppedEngine
 {
 public:
   SimbodyStepper(const Scene& scene, double step);
-  void advance(double duration) override;
-  BallState ballState(std::size_t ball) const override;
 
 private:
+  BallState stateNow(std::size_t ball) const override;
+  void run(double duration) override;
   void stepOnce() override { stepper_->stepTo(time() + step_); }
   void addPlane(const Body& body, const Shape& shape);
   void addPairs();
@@ -121,10 +121,10 @@ private:
   int stdout_;
 };
 
-void SimbodyStepper::advance(double duration)
+void SimbodyStepper::run(double duration)
 {
   const Silence silence;
-  SteppedEngine::advance(duration);
+  SteppedEngine::run(duration);
 }
 
 void SimbodyStepper::addPlane(const Body& body, const Shape& shape)
@@ -135,9 +135,9 @@ void SimbodyStepper::addPlane(const Body& body, const Shape& shape)
   {
     const Surface& law = shapeLaw(scene_, i, shape);
     const double mu = std::min(law.friction, kAlwaysGrips);
-    balls_.matter.adoptUnilateralContact(new SimTK::SpherePlaneContact(
-        balls_.matter.updGround(), SimTK::UnitVec3(toSimbody(n)), height, balls_.balls[i], Vec3(0),
-        scene_.balls[i].params.radius, law.restitution, mu, mu, 0.0));
+    balls_.matter.adoptUnilateralContact(
+        new SimTK::SpherePlaneContact(balls_.matter.updGround(), SimTK::UnitVec3(toSimbody(n)), height, balls_.balls[i],
+                                      Vec3(0), scene_.balls[i].params.radius, law.restitution, mu, mu, 0.0));
   }
 }
 
@@ -148,13 +148,13 @@ void SimbodyStepper::addPairs()
     {
       const Surface& law = ballLaw(scene_, i, j);
       const double mu = std::min(law.friction, kAlwaysGrips);
-      balls_.matter.adoptUnilateralContact(new SimTK::SphereSphereContact(
-          balls_.balls[i], Vec3(0), scene_.balls[i].params.radius, balls_.balls[j], Vec3(0),
-          scene_.balls[j].params.radius, law.restitution, mu, mu, 0.0));
+      balls_.matter.adoptUnilateralContact(
+          new SimTK::SphereSphereContact(balls_.balls[i], Vec3(0), scene_.balls[i].params.radius, balls_.balls[j],
+                                         Vec3(0), scene_.balls[j].params.radius, law.restitution, mu, mu, 0.0));
     }
 }
 
-BallState SimbodyStepper::ballState(std::size_t ball) const
+BallState SimbodyStepper::stateNow(std::size_t ball) const
 {
   balls_.system.realize(stepper_->getState(), SimTK::Stage::Velocity);
   return balls_.get(stepper_->getState(), ball);
@@ -178,5 +178,8 @@ std::unique_ptr<Engine> make(const Scene& scene, const std::string& variant, dou
 }
 }  // namespace
 
-EngineKind simbodyKind() { return {"simbody", {"default", "best"}, refuse, make}; }
+EngineKind simbodyKind()
+{
+  return {"simbody", {"default", "best"}, refuse, make};
+}
 }  // namespace ping_pong::bench

@@ -7,8 +7,14 @@
 
 namespace ping_pong::bench
 {
-inline SimTK::Vec3 toSimbody(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-inline Vector3d fromSimbody(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
+inline SimTK::Vec3 toSimbody(const Vector3d& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
+inline Vector3d fromSimbody(const SimTK::Vec3& v)
+{
+  return {v[0], v[1], v[2]};
+}
 
 /// Balls only; walls, contacts and events are the business of each adapter.
 struct SimbodyBalls

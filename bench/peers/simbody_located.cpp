@@ -1,6 +1,7 @@
 // Simbody 3.7, "best": an integrator with error control, and every impact an event located in time. Reasons: README.md.
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "ping_pong_sim/resolve.h"
 #include "simbody.h"
@@ -11,17 +12,16 @@ namespace
 {
 constexpr double kLongestStep = 0.01;  // [s]; a witness that dips below zero and returns within a step is not seen
 constexpr double kClearance = 1e-13;   // after an impact the witness must be positive to fall again [m]
-constexpr double kCapture = 1e-5;      // slower than this after an impact, a ball stays on a body that stands still [m/s]
-constexpr double kTouching = 1e-8;     // gap below which it does [m]
-constexpr double kStick = 1e-4;        // slip at which friction on a body that carries the ball is 0.7 of mu [m/s]
+constexpr int kMaxEvents = 1000000;    // in one advance(): then it gives up
+constexpr double kCapture = 1e-5;   // slower than this after an impact, a ball stays on a body that stands still [m/s]
+constexpr double kTouching = 1e-8;  // gap below which it does [m]
+constexpr double kStick = 1e-4;     // slip at which friction on a body that carries the ball is 0.7 of mu [m/s]
 
 // The clock of this engine is the integrator's own. Its accuracy is the `step`.
 class LocatedSimbody : public SteppedEngine
 {
 public:
   LocatedSimbody(const Scene& scene, double tolerance);
-  void advance(double duration) override;
-  BallState ballState(std::size_t ball) const override;
 
   // Gap between two surfaces [m], and what happens when it closes.
   double gap(const SimTK::State& state, std::size_t ball, std::size_t body, const Shape& shape) const;
@@ -31,13 +31,16 @@ public:
   void addForces(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& on_bodies) const;
 
 private:
+  BallState stateNow(std::size_t ball) const override;
   struct Support
   {
     std::size_t body = kNone;
     const Shape* shape = nullptr;  // nullptr: none
   };
   double time() const override { return now_; }
+  void run(double duration) override;
   void stepOnce() override {}
+  void count() const;
   void addWitnesses(double tolerance);
   void supportAtStart(SimTK::State& state) const;
   Proximity proximityTo(const SimTK::State& state, std::size_t ball, std::size_t body, const Shape& shape) const;
@@ -50,6 +53,7 @@ private:
   std::unique_ptr<SimTK::RungeKuttaMersonIntegrator> integrator_;
   std::unique_ptr<SimTK::TimeStepper> stepper_;
   mutable std::vector<Support> supports_;  // by ball; handlers of events are const
+  mutable int events_ = 0;                 // of this advance()
   double now_ = 0.0;                       // [s]
 };
 
@@ -93,7 +97,7 @@ SimTK::TriggeredEventHandler* newWitness(Gap gap, Hit hit, double window)
 }
 
 LocatedSimbody::LocatedSimbody(const Scene& scene, double tolerance)
-  : SteppedEngine(scene, tolerance), balls_(scene_), supports_(scene_.balls.size())
+    : SteppedEngine(scene, tolerance), balls_(scene_), supports_(scene_.balls.size())
 {
   bool driven = false;
   for (const Body& body : scene_.bodies) driven = driven || body.kind == BodyKind::Kinematic;
@@ -150,13 +154,13 @@ double LocatedSimbody::gap(const SimTK::State& state, std::size_t ball1, std::si
 // Simbody leaves the impact law to its user.
 void LocatedSimbody::hit(SimTK::State& state, std::size_t ball, std::size_t body, const Shape& shape) const
 {
+  count();
   balls_.system.realize(state, SimTK::Stage::Velocity);
   const BallParams& params = scene_.balls[ball].params;
   const Proximity near = proximityTo(state, ball, body, shape);
   BallState now = balls_.get(state, ball);
   const Vector3d touched = now.p_WB - params.radius * near.normal;
-  const Vector3d u_WC =
-      twistOf(body).v + twistOf(body).w.cross(touched - poseAt(body, state.getTime()).p);
+  const Vector3d u_WC = twistOf(body).v + twistOf(body).w.cross(touched - poseAt(body, state.getTime()).p);
   bounce(shapeLaw(scene_, ball, shape), params, now, u_WC, near.normal);
   const double leaving = (now.v_WB - u_WC).dot(near.normal);
   if (scene_.bodies[body].kind == BodyKind::Static && leaving >= 0.0 && leaving < kCapture)
@@ -170,6 +174,7 @@ void LocatedSimbody::hit(SimTK::State& state, std::size_t ball, std::size_t body
 
 void LocatedSimbody::hit(SimTK::State& state, std::size_t ball1, std::size_t ball2) const
 {
+  count();
   balls_.system.realize(state, SimTK::Stage::Velocity);
   BallState state1 = balls_.get(state, ball1), state2 = balls_.get(state, ball2);
   const Vector3d n = (state1.p_WB - state2.p_WB).normalized();
@@ -183,6 +188,12 @@ void LocatedSimbody::hit(SimTK::State& state, std::size_t ball1, std::size_t bal
   state2.p_WB -= 0.5 * overlap * n;
   balls_.put(state, ball1, state1);
   balls_.put(state, ball2, state2);
+}
+
+// Impacts that follow each other ever faster would keep it busy for ever.
+void LocatedSimbody::count() const
+{
+  if (++events_ > kMaxEvents) throw std::runtime_error("too many impacts");
 }
 
 void LocatedSimbody::supportAtStart(SimTK::State& state) const
@@ -218,13 +229,14 @@ void LocatedSimbody::addForces(const SimTK::State& state, SimTK::Vector_<SimTK::
   }
 }
 
-void LocatedSimbody::advance(double duration)
+void LocatedSimbody::run(double duration)
 {
+  events_ = 0;
   now_ += duration;
   stepper_->stepTo(now_);
 }
 
-BallState LocatedSimbody::ballState(std::size_t ball) const
+BallState LocatedSimbody::stateNow(std::size_t ball) const
 {
   balls_.system.realize(stepper_->getState(), SimTK::Stage::Velocity);
   return balls_.get(stepper_->getState(), ball);

@@ -1,12 +1,17 @@
 #include "stepped_engine.h"
 
 #include <cmath>
+#include <exception>
+#include <limits>
 
 namespace ping_pong::bench
 {
 namespace
 {
-bool sameLaw(const Surface& a, const Surface& b) { return a.restitution == b.restitution && a.friction == b.friction; }
+bool sameLaw(const Surface& a, const Surface& b)
+{
+  return a.restitution == b.restitution && a.friction == b.friction;
+}
 
 std::string refuseLaw(const Surface& law)
 {
@@ -38,6 +43,29 @@ void SteppedEngine::drive(std::size_t body, const Twist& twist)
 }
 
 void SteppedEngine::advance(double duration)
+{
+  if (gave_up_) return;
+  try
+  {
+    run(duration);
+  }
+  catch (const std::exception&)
+  {
+    gave_up_ = true;
+  }
+}
+
+BallState SteppedEngine::ballState(std::size_t ball) const
+{
+  if (!gave_up_) return stateNow(ball);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BallState none;
+  none.p_WB = none.v_WB = none.w_WB = Vector3d::Constant(nan);
+  none.q_WB.coeffs().setConstant(nan);
+  return none;
+}
+
+void SteppedEngine::run(double duration)
 {
   const std::int64_t end = ticks_ + std::llround(duration / step_);
   for (; ticks_ < end; ++ticks_) stepOnce();
@@ -101,7 +129,8 @@ std::string refuseForAll(const Scene& scene)
     for (const Body& body : scene.bodies)
       for (const Shape& shape : body.shapes)
       {
-        if (shape.kind != ShapeKind::Box && shape.kind != ShapeKind::HalfSpace) return "only boxes and planes are mapped";
+        if (shape.kind != ShapeKind::Box && shape.kind != ShapeKind::HalfSpace)
+          return "only boxes and planes are mapped";
         const std::string why = refuseLaw(shapeLaw(scene, i, shape));
         if (!why.empty()) return why;
       }

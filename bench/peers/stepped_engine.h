@@ -12,9 +12,13 @@ class SteppedEngine : public Engine
 public:
   SteppedEngine(const Scene& scene, double step);
   void drive(std::size_t body, const Twist& twist) override;
-  void advance(double duration) override;
+  /// An engine that gives up (throws) has no state from then on: ballState() is NaN.
+  void advance(double duration) final;
+  BallState ballState(std::size_t ball) const final;
 
 protected:
+  virtual BallState stateNow(std::size_t ball) const = 0;
+  virtual void run(double duration);
   /// One step: balls feel flightForce() of the state that they have now; driven bodies are at poseNow().
   virtual void stepOnce() = 0;
 
@@ -34,23 +38,28 @@ protected:
   const double step_;  ///< [s]
 
 private:
+  bool gave_up_ = false;
   std::int64_t ticks_ = 0;
-  std::vector<FlightModel> flight_;   // by ball
-  std::vector<BodyMotion> motions_;   // by body
+  std::vector<FlightModel> flight_;  // by ball
+  std::vector<BodyMotion> motions_;  // by body
 };
 
 /// Moment of inertia of a ball about its centre [kg m^2].
-inline double inertiaOf(const BallParams& ball) { return ball.inertia * ball.mass * ball.radius * ball.radius; }
+inline double inertiaOf(const BallParams& ball)
+{
+  return ball.inertia * ball.mass * ball.radius * ball.radius;
+}
 
 /// Law between two balls, or between a ball and a shape.
 const Surface& ballLaw(const Scene& scene, std::size_t ball1, std::size_t ball2);
 const Surface& shapeLaw(const Scene& scene, std::size_t ball, const Shape& shape);
 
-/// One number per contact law of the scene is all that most engines know: e and mu of ball on body, and of ball on ball.
+/// One number per contact law of the scene is all that most engines know: e and mu of ball on body, and of ball on
+/// ball.
 struct SharedLaws
 {
-  bool shared = true;          ///< all balls obey the same laws
-  Surface ball_ball;           ///< default if there is one ball only
+  bool shared = true;                            ///< all balls obey the same laws
+  Surface ball_ball;                             ///< default if there is one ball only
   std::vector<std::vector<Surface>> ball_shape;  ///< by body and shape
 };
 SharedLaws sharedLaws(const Scene& scene);
