@@ -163,6 +163,19 @@ Case twoBalls()
   return c;
 }
 
+// Two laws in one scene: they meet in the air with e .5, then on the floor with .8.
+Case twoLaws()
+{
+  Case c{"two laws", sceneOn(ShapeKind::HalfSpace, 0.8, 0.0), 0.45};
+  Surface law;
+  law.restitution = 0.5;
+  c.scene.surfaces.set(0, 0, law);
+  c.scene.balls = {ballAt({0, 0, 0.3003}, {0, 0, 0}), ballAt({0.025, 0, 0.1002}, {0, 0, 2.5})};
+  c.bound = 3e-2;
+  c.soft_bound = 0.1;
+  return c;
+}
+
 std::vector<Case> allCases()
 {
   return {freeFlight(),
@@ -177,7 +190,8 @@ std::vector<Case> allCases()
           tilted(),
           paddle(),
           swing(),
-          twoBalls()};
+          twoBalls(),
+          twoLaws()};
 }
 
 std::vector<BallState> reference(const Case& c)

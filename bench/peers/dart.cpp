@@ -19,6 +19,7 @@ namespace
 namespace dd = dart::dynamics;
 
 constexpr double kPlaneSize = 1e3;  // a half-space is a cube of this edge [m]: the exact detector knows no planes
+constexpr double kDefaultErp = 0.01;
 constexpr double kAlwaysGrips = 1e6;
 
 Eigen::Isometry3d toDart(const Pose& pose)
@@ -51,6 +52,7 @@ public:
 
 private:
   BallState stateNow(std::size_t ball) const override;
+  void run(double duration) override;
   void stepOnce() override;
   dd::BodyNode* newBody(const Pose& pose);
   void addBall(std::size_t index);
@@ -70,7 +72,6 @@ DartEngine::DartEngine(const Scene& scene, bool best, double step)
 {
   world_->setTimeStep(step);
   world_->setGravity(engineGravity());
-  dart::constraint::ContactConstraint::setErrorReductionParameter(best ? 0.0 : 0.01);  // static: set it for each engine
   if (best) world_->getConstraintSolver()->setCollisionDetector(dart::collision::DARTCollisionDetector::create());
   for (std::size_t i = 0; i < scene_.balls.size(); ++i) addBall(i);
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) addBody(b);
@@ -157,6 +158,13 @@ void DartEngine::aimFriction(std::size_t ball)
       aspect->setFirstFrictionDirectionFrame(dd::Frame::World());
       aspect->setFirstFrictionDirection(slip.normalized());
     }
+}
+
+void DartEngine::run(double duration)
+{
+  // Static in DART: another engine may have changed it.
+  dart::constraint::ContactConstraint::setErrorReductionParameter(best_ ? 0.0 : kDefaultErp);
+  SteppedEngine::run(duration);
 }
 
 void DartEngine::stepOnce()

@@ -10,12 +10,37 @@ namespace ping_pong::bench
 {
 namespace
 {
-constexpr double kLongestStep = 0.01;  // [s]; a witness that dips below zero and returns within a step is not seen
-constexpr double kClearance = 1e-13;   // after an impact the witness must be positive to fall again [m]
+// After an impact the gap must be positive to fall through zero again: a little more than its rounding [m].
+double clearance(const Vector3d& p)
+{
+  return 1e-15 * (1.0 + p.norm());
+}
+
+constexpr double kLongestStep = 0.05;  // [s]
+constexpr double kFallTime = 1.0;      // balls are expected to gain the speed of a fall that long [s]
+constexpr double kDriveSpeed = 10.0;   // driven bodies are expected to be that fast [m/s]
 constexpr int kMaxEvents = 1000000;    // in one advance(): then it gives up
 constexpr double kCapture = 1e-5;   // slower than this after an impact, a ball stays on a body that stands still [m/s]
 constexpr double kTouching = 1e-8;  // gap below which it does [m]
 constexpr double kStick = 1e-4;     // slip at which friction on a body that carries the ball is 0.7 of mu [m/s]
+
+// A witness that dips below zero and returns within a step is not seen: where a ball can pass through something, it may
+// not move by more than its radius.
+double longestStep(const Scene& scene)
+{
+  bool thin = scene.balls.size() > 1;
+  double speed = kFallTime * scene.forces.gravity.norm();
+  for (const Body& body : scene.bodies)
+  {
+    for (const Shape& shape : body.shapes) thin = thin || shape.kind != ShapeKind::HalfSpace;
+    if (body.kind == BodyKind::Kinematic) speed = kFallTime * scene.forces.gravity.norm() + kDriveSpeed;
+  }
+  if (!thin) return kLongestStep;
+  double longest = kLongestStep;
+  for (const SceneBall& ball : scene.balls)
+    longest = std::min(longest, ball.params.radius / (speed + ball.state.v_WB.norm() + 1e-3));
+  return longest;
+}
 
 // The clock of this engine is the integrator's own. Its accuracy is the `step`.
 class LocatedSimbody : public SteppedEngine
@@ -108,7 +133,7 @@ LocatedSimbody::LocatedSimbody(const Scene& scene, double tolerance)
   supportAtStart(state);
   integrator_ = std::make_unique<SimTK::RungeKuttaMersonIntegrator>(balls_.system);
   integrator_->setAccuracy(tolerance);
-  integrator_->setMaximumStepSize(kLongestStep);
+  integrator_->setMaximumStepSize(longestStep(scene_));
   integrator_->setAllowInterpolation(!driven);  // else it may be past the instant at which a body is driven anew
   stepper_ = std::make_unique<SimTK::TimeStepper>(balls_.system, *integrator_);
   stepper_->initialize(state);
@@ -168,7 +193,7 @@ void LocatedSimbody::hit(SimTK::State& state, std::size_t ball, std::size_t body
     supports_[ball] = {body, &shape};
     now.v_WB -= leaving * near.normal;
   }
-  now.p_WB += (params.radius + kClearance - near.distance) * near.normal;
+  now.p_WB += (params.radius + clearance(now.p_WB) - near.distance) * near.normal;
   balls_.put(state, ball, now);
 }
 
@@ -182,7 +207,7 @@ void LocatedSimbody::hit(SimTK::State& state, std::size_t ball1, std::size_t bal
   if (closing <= 0.0) return;
   supports_[ball1] = supports_[ball2] = {};
   const Surface& law = ballLaw(scene_, ball1, ball2);
-  const double overlap = kClearance - gap(state, ball1, ball2);
+  const double overlap = 2.0 * clearance(state1.p_WB) - gap(state, ball1, ball2);
   part(law, law.restitution * closing, scene_.balls[ball1].params, state1, scene_.balls[ball2].params, state2, n);
   state1.p_WB += 0.5 * overlap * n;
   state2.p_WB -= 0.5 * overlap * n;
