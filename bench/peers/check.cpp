@@ -1,9 +1,9 @@
 // Does every peer do what its adapter promises? Small scenes with a known answer, two step sizes, one table.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <limits>
 
 #include "peers.h"
@@ -25,7 +25,7 @@ struct Case
   std::size_t driven = kNone;  // this body moves with this twist
   Twist twist = {};
   double bound = 0.0;        // error that "best" may have at the shorter step [m], [m/s]; r w counts as a speed
-  double soft_bound = 0.03;  // the same for an engine that has no restitution, nor friction in a bounce that fits
+  double soft_bound = 0.05;  // the same for an engine without restitution: its bounces take time, and turn meanwhile
 };
 
 SceneBall ballAt(const Vector3d& p, const Vector3d& v, const Vector3d& w = Vector3d::Zero())
@@ -274,7 +274,7 @@ int checkAll(const std::string& only)
   return failures == 0 ? 0 : 1;
 }
 
-// One ball that bounces on a plane without end: wall time per step.
+// One ball that bounces on a plane without end: processor time per step.
 int timeAll(const std::string& only)
 {
   constexpr double kStep = 1e-3, kDuration = 20.0;  // [s]
@@ -288,10 +288,10 @@ int timeAll(const std::string& only)
       {
         const std::unique_ptr<Engine> engine = kind.make(c.scene, variant, kStep);
         engine->advance(1.0);
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();  // of this process: others may be busy
         engine->advance(kDuration);
-        const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
-        best = std::min(best, taken.count() / (kDuration / kStep));
+        const double taken = 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;  // [ns]
+        best = std::min(best, taken / (kDuration / kStep));
       }
       std::printf("%-8s %-8s %8.0f ns per ball-step\n", kind.name.c_str(), variant.c_str(), best);
     }

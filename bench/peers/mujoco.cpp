@@ -17,7 +17,7 @@ namespace
 // better.
 constexpr double kStepsInContact = 6.0;  // at kStep
 constexpr double kStep = 1e-3;           // [s]
-constexpr double kGrowth = 0.2;          // steps in contact grow with this power of 1 / step
+constexpr double kGrowth = 1.0 / 3.0;    // steps in contact grow with this power of 1 / step
 constexpr double kMaxDamping = 2.0;      // damping ratio that stands for e = 0 and all that is nearly so
 constexpr double kHeavy = 1e6;           // mass of a driven body / mass of a ball
 constexpr std::size_t kContactsPerBall = 6;
