@@ -51,6 +51,7 @@ foreach(name
     cradle
     corner
     same_bits
+    islands
     edges
     grazing
     resting
