@@ -13,6 +13,8 @@ add_library(${PROJECT_NAME}_ros
   src/ros/paddle_control.cpp
   src/ros/pacer.cpp
   src/ros/param_reader.cpp
+  src/ros/props.cpp
+  src/ros/rally.cpp
   src/ros/rejections.cpp
   src/ros/services.cpp
   src/ros/sim_node.cpp
