@@ -1,5 +1,6 @@
 # Hands on the simulation. The keys and how they move things are plain C++; everything else needs ROS, and the plugins RViz.
-add_library(${PROJECT_NAME}_keys STATIC src/hands/glide.cpp src/hands/held_keys.cpp src/hands/key_table.cpp)
+add_library(${PROJECT_NAME}_keys STATIC
+  src/hands/follow.cpp src/hands/glide.cpp src/hands/held_keys.cpp src/hands/key_table.cpp)
 set_target_properties(${PROJECT_NAME}_keys PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_include_directories(${PROJECT_NAME}_keys PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
 target_link_libraries(${PROJECT_NAME}_keys PUBLIC Eigen3::Eigen PRIVATE ${PROJECT_NAME}_options)
@@ -20,7 +21,14 @@ add_executable(${PROJECT_NAME}_teleop src/hands/teleop_main.cpp src/hands/termin
 set_target_properties(${PROJECT_NAME}_teleop PROPERTIES OUTPUT_NAME teleop)
 target_link_libraries(${PROJECT_NAME}_teleop PRIVATE
   ${PROJECT_NAME}_operator ${PROJECT_NAME}_ros ${PROJECT_NAME}_options)
-install(TARGETS ${PROJECT_NAME}_teleop RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+find_package(interactive_markers REQUIRED)
+add_executable(${PROJECT_NAME}_handles
+  src/hands/handle_markers.cpp src/hands/handles.cpp src/hands/handles_main.cpp src/hands/paddle_drag.cpp)
+set_target_properties(${PROJECT_NAME}_handles PROPERTIES OUTPUT_NAME handles)
+target_include_directories(${PROJECT_NAME}_handles SYSTEM PRIVATE ${interactive_markers_INCLUDE_DIRS})
+target_link_libraries(${PROJECT_NAME}_handles PRIVATE
+  ${PROJECT_NAME}_operator ${PROJECT_NAME}_core ${PROJECT_NAME}_options ${interactive_markers_LIBRARIES})
+install(TARGETS ${PROJECT_NAME}_teleop ${PROJECT_NAME}_handles RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 # What RViz loads. Without RViz's headers the simulator is built without it.
 find_package(rviz QUIET)
@@ -33,8 +41,10 @@ find_package(Qt5 REQUIRED COMPONENTS Widgets)
 
 add_library(${PROJECT_NAME}_rviz SHARED
   src/rviz/key_tool.cpp
+  src/rviz/light_display.cpp
   src/rviz/overlay_display.cpp
   src/rviz/overlay_text.cpp
+  src/rviz/shadow_rig.cpp
   src/rviz/text_panel.cpp
 )
 set_target_properties(${PROJECT_NAME}_rviz PROPERTIES AUTOMOC ON)

@@ -7,7 +7,7 @@ const std::vector<KeyEntry>& keyTable()
   static const std::vector<KeyEntry> table = {
       {'1', Action::Select, "1", "ball; again: the next", Group::Balls},
       {'2', Action::Select, "2", "table", Group::Table},
-      {'3', Action::Select, "3", "walls and the rest; again: the next", Group::Walls},
+      {'3', Action::Select, "3", "walls; again: the next", Group::Walls},
       {'4', Action::Select, "4", "light; again: the next", Group::Light},
       {'5', Action::Select, "5", "paddle; again: the next", Group::Paddles},
       {'6', Action::Select, "6", "camera", Group::Camera},

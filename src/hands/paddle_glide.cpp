@@ -1,7 +1,6 @@
 #include "paddle_glide.h"
 
-#include <algorithm>
-
+#include "messages.h"
 #include "ping_pong_sim/PaddleCommand.h"
 
 namespace ping_pong_sim
@@ -9,15 +8,6 @@ namespace ping_pong_sim
 namespace
 {
 constexpr double kLongestTick = 0.1;  ///< [s]; what is longer is a jump of time
-
-geometry_msgs::Vector3 toMessage(const Eigen::Vector3d& v)
-{
-  geometry_msgs::Vector3 message;
-  message.x = v.x();
-  message.y = v.y();
-  message.z = v.z();
-  return message;
-}
 }  // namespace
 
 void PaddleGlide::take(const std::string& paddle)
@@ -71,8 +61,8 @@ void PaddleGlide::send(bool hold)
   PaddleCommand command;
   command.mode = hold ? PaddleCommand::HOLD : PaddleCommand::VELOCITY;
   command.pose.orientation.w = 1.0;
-  command.twist.linear = toMessage(glide_.v_W);
-  command.twist.angular = toMessage(glide_.w_W);
+  command.twist.linear = toVectorMessage(glide_.v_W);
+  command.twist.angular = toVectorMessage(glide_.w_W);
   command_.publish(command);
   sent_ = !hold;
 }

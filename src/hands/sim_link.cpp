@@ -16,27 +16,6 @@ namespace ping_pong_sim
 namespace
 {
 constexpr double kSilence = 2.0;  ///< without status the simulator counts as gone [s]; it sends ten a second
-
-template <class Vector>
-Vector toMessage(const Eigen::Vector3d& v)
-{
-  Vector message;
-  message.x = v.x();
-  message.y = v.y();
-  message.z = v.z();
-  return message;
-}
-
-geometry_msgs::Pose toMessage(const FramePose& pose)
-{
-  geometry_msgs::Pose message;
-  message.position = toMessage<geometry_msgs::Point>(pose.p);
-  message.orientation.x = pose.q.x();
-  message.orientation.y = pose.q.y();
-  message.orientation.z = pose.q.z();
-  message.orientation.w = pose.q.w();
-  return message;
-}
 }  // namespace
 
 double wallSeconds()
@@ -131,8 +110,8 @@ std::string SimLink::place(std::uint32_t ball, const FramePose& pose, const Eige
   SetBallState exchange;
   exchange.request.id = ball;
   exchange.request.pose = toMessage(pose);
-  exchange.request.twist.linear = toMessage<geometry_msgs::Vector3>(velocity);
-  exchange.request.twist.angular = toMessage<geometry_msgs::Vector3>(spin);
+  exchange.request.twist.linear = toVectorMessage(velocity);
+  exchange.request.twist.angular = toVectorMessage(spin);
   return call("set_ball_state", exchange);
 }
 

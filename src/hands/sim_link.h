@@ -5,23 +5,17 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/buffer.h>
 
-#include <Eigen/Geometry>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "messages.h"
 #include "ping_pong_sim/SimStatus.h"
 
 namespace ping_pong_sim
 {
-struct FramePose
-{
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
-};
-
 /// Monotonic wall time [s].
 double wallSeconds();
 

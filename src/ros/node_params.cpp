@@ -125,6 +125,12 @@ NodeParams readParams(const ros::NodeHandle& private_nh)
       reader.number("tolerance", p.tolerance, isTolerance, "0 (the scene's own), or an error from 1e-12 to 0.1 [m]");
   p.feed = readFeed(private_nh, reader, p.tick());
   p.props = readProps(reader);
+  p.blob_shadows = reader.text("blob_shadows", p.blob_shadows);
+  if (!p.blob_shadows.empty() && p.props.count(p.blob_shadows) == 0)
+  {
+    throw ParamError("parameter " + private_nh.resolveName("blob_shadows") + ": " + p.blob_shadows +
+                     ": expected the name of a light of ~props, or nothing");
+  }
   checkMethod(private_nh, p.method);
   if (p.scene.empty())
   {

@@ -29,6 +29,7 @@ struct NodeParams
   double tolerance = 0.0;  ///< [m]; 0: the scene's
   FeedParams feed;
   Props props = defaultProps();  ///< at the start
+  std::string blob_shadows;      ///< name of the light that throws them; empty: none
 
   double tick() const { return 1.0 / publish_rate; }  ///< [s]
 };

@@ -18,6 +18,7 @@ void fillNames(const Simulation& simulation, SimStatus& message)
   message.props.clear();
   for (std::size_t i = 0; i < world.bodyCount(); ++i)
   {
+    if (world.body(i).urdf_path.empty()) continue;  // the floor
     const bool is_paddle = world.body(i).kind == ping_pong::BodyKind::Kinematic;
     (is_paddle ? message.paddles : message.furniture).push_back(world.body(i).name);
   }

@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "ping_pong_sim/HandsState.h"
 #include "sim_client.h"
 
 namespace sim_test
@@ -116,9 +117,38 @@ public:
   }
   bool alive() const { return rviz_->alive(); }
 
+  /// True once keys are answered: the window is there, and the mouse is over its view.
+  bool answers(Inbox<ping_pong_sim::HandsState>& hands, double deadline = 40.0)
+  {
+    const auto answer = [&]
+    {
+      if (!alive()) return true;
+      mouse(640, 500);
+      mouse(641, 500);
+      type("2");
+      return hands.waitFor([](const ping_pong_sim::HandsState& s) { return s.selected == "table"; }, 0.5);
+    };
+    return eventually(answer, deadline) && alive();
+  }
+
   static void tool(const std::string& command)
   {
     EXPECT_EQ(std::system(("xdotool " + command + " > /dev/null 2>&1").c_str()), 0) << command;
+  }
+  /// Left button down at the first point, up at the second.
+  static void drag(int x0, int y0, int x1, int y1)
+  {
+    mouse(x0 - 3, y0);
+    mouse(x0, y0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));  // RViz looks what is under the mouse, now and then
+    tool("mousedown 1");
+    for (int i = 1; i <= 10; ++i)
+    {
+      mouse(x0 + (x1 - x0) * i / 10, y0 + (y1 - y0) * i / 10);
+      std::this_thread::sleep_for(std::chrono::milliseconds(40));  // a hand
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    tool("mouseup 1");
   }
   static void mouse(int x, int y) { tool("mousemove " + std::to_string(x) + " " + std::to_string(y)); }
   static void type(const std::string& key) { tool("key " + key); }

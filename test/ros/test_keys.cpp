@@ -32,18 +32,7 @@ protected:
 
   void SetUp() override
   {
-    // The tool hears keys once the window is there and the mouse is over the view; so try until it answers.
-    ASSERT_TRUE(sim_test::eventually(
-        [&]
-        {
-          if (!window_->alive()) return true;
-          RvizWindow::mouse(640, 500);
-          RvizWindow::mouse(641, 500);
-          RvizWindow::type("2");
-          return hands_.waitFor([](const HandsState& s) { return s.selected == "table"; }, 0.5);
-        },
-        40.0));
-    ASSERT_TRUE(window_->alive());
+    ASSERT_TRUE(window_->answers(hands_));
     sim_test::pause(false);
     sim_test::reset();
     RvizWindow::type("F1");  // behind the player: away is +x
