@@ -21,21 +21,23 @@ add_executable(${PROJECT_NAME}_teleop src/hands/teleop_main.cpp src/hands/termin
 set_target_properties(${PROJECT_NAME}_teleop PROPERTIES OUTPUT_NAME teleop)
 target_link_libraries(${PROJECT_NAME}_teleop PRIVATE
   ${PROJECT_NAME}_operator ${PROJECT_NAME}_ros ${PROJECT_NAME}_options)
-find_package(interactive_markers REQUIRED)
+install(TARGETS ${PROJECT_NAME}_teleop RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+
+# For RViz. Without its headers the simulator is built without them.
+find_package(rviz QUIET)
+find_package(interactive_markers QUIET)
+if(NOT rviz_FOUND OR NOT interactive_markers_FOUND)
+  message(STATUS "RViz's headers (librviz-dev) not found: handles, and keys, text and light in RViz are not built")
+  return()
+endif()
 add_executable(${PROJECT_NAME}_handles
   src/hands/handle_markers.cpp src/hands/handles.cpp src/hands/handles_main.cpp src/hands/paddle_drag.cpp)
 set_target_properties(${PROJECT_NAME}_handles PROPERTIES OUTPUT_NAME handles)
 target_include_directories(${PROJECT_NAME}_handles SYSTEM PRIVATE ${interactive_markers_INCLUDE_DIRS})
 target_link_libraries(${PROJECT_NAME}_handles PRIVATE
   ${PROJECT_NAME}_operator ${PROJECT_NAME}_core ${PROJECT_NAME}_options ${interactive_markers_LIBRARIES})
-install(TARGETS ${PROJECT_NAME}_teleop ${PROJECT_NAME}_handles RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(TARGETS ${PROJECT_NAME}_handles RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
-# What RViz loads. Without RViz's headers the simulator is built without it.
-find_package(rviz QUIET)
-if(NOT rviz_FOUND)
-  message(STATUS "RViz (librviz-dev) not found: keys, text and light in RViz are not built")
-  return()
-endif()
 find_package(pluginlib REQUIRED)
 find_package(Qt5 REQUIRED COMPONENTS Widgets)
 

@@ -13,7 +13,7 @@ function(add_ros_test name)
     NODE="$<TARGET_FILE:${PROJECT_NAME}_node>"
     TELEOP="$<TARGET_FILE:${PROJECT_NAME}_teleop>"
     VIEW="${CMAKE_CURRENT_SOURCE_DIR}/config/view.rviz")
-  add_dependencies(${target} ${PROJECT_NAME}_node ${PROJECT_NAME}_teleop ${PROJECT_NAME}_handles)
+  add_dependencies(${target} ${PROJECT_NAME}_node ${PROJECT_NAME}_teleop)
 endfunction()
 
 foreach(name
@@ -39,6 +39,6 @@ endforeach()
 if(TARGET ${PROJECT_NAME}_rviz)
   foreach(name keys dragging light)
     add_ros_test(${name})
-    add_dependencies(${PROJECT_NAME}_test_ros_${name} ${PROJECT_NAME}_rviz)
+    add_dependencies(${PROJECT_NAME}_test_ros_${name} ${PROJECT_NAME}_rviz ${PROJECT_NAME}_handles)
   endforeach()
 endif()

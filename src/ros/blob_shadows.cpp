@@ -15,6 +15,7 @@ using ping_pong::Vector3d;
 constexpr std::size_t kMost = 1000;      ///< discs; more cost RViz more than the balls themselves
 constexpr std::size_t kFewBalls = 50;    ///< so many have discs of twelve corners; more of six
 constexpr double kGap = 0.0015;          ///< above the surface, so that both do not flicker [m]
+constexpr double kHighest = 1.0;         ///< above the plate; from higher a shadow would be a blur [m]
 constexpr double kLevel = 0.999;         ///< cosine of the slope up to which a plate counts as level
 constexpr double kSmallestPlate = 0.05;  ///< area of plates that shadows are drawn on [m^2]
 constexpr float kDarkness = 0.45f;
@@ -69,9 +70,9 @@ void appendDisc(const Vector3d& centre, double radius, int corners, visualizatio
     const double angle = 2.0 * M_PI * i / corners;
     return toPoint(centre + radius * Vector3d(std::cos(angle), std::sin(angle), 0.0));
   };
-  for (int i = 0; i < corners; ++i)
+  for (int i = 1; i + 1 < corners; ++i)  // as few triangles as possible: they are what costs RViz time
   {
-    marker.points.push_back(toPoint(centre));
+    marker.points.push_back(corner(0));
     marker.points.push_back(corner(i));
     marker.points.push_back(corner(i + 1));
   }
@@ -99,7 +100,7 @@ visualization_msgs::Marker blobShadows(const Simulation& simulation, const Vecto
       const double reach = (plate.height + kGap - light_W.z()) / ray.z();  // 1 at the ball
       const Vector3d centre = light_W + reach * ray;
       if (!plate.covers(centre)) continue;
-      appendDisc(centre, reach * world.ballParams(i).radius, corners, marker);
+      if (p_W.z() - plate.height < kHighest) appendDisc(centre, reach * world.ballParams(i).radius, corners, marker);
       break;
     }
   }
