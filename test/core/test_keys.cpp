@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "hands/follow.h"
 #include "hands/glide.h"
 #include "hands/held_keys.h"
 
@@ -88,6 +89,34 @@ TEST(Glide, ALongTickIsAsGoodAsManyShortOnes)
   const Glide coarse = glide({}, {1, 2, 3}, {4, 5, 6}, 7.0, 0.1);
   EXPECT_TRUE(fine.v_W.isApprox(coarse.v_W, 1e-12));
   EXPECT_TRUE(fine.w_W.isApprox(coarse.w_W, 1e-12));
+}
+
+TEST(Follow, ArrivesWithoutOvershootAtTheSpeedOfASpring)
+{
+  const Vector3d target(0.3, 0, 0);
+  const Eigen::Quaterniond turned(Eigen::AngleAxisd(1.0, Vector3d::UnitZ()));
+  Followed hand;
+  double fastest = 0.0;
+  for (int i = 0; i < 100 && !arrived(hand, target, turned); ++i)
+  {
+    hand = follow(hand, target, turned, 25.0, 0.01);
+    fastest = std::max(fastest, hand.v.x());
+    EXPECT_LE(hand.p.x(), 0.3 + 1e-12);
+  }
+  EXPECT_TRUE(arrived(hand, target, turned));
+  EXPECT_NEAR(fastest, 0.3 * 25.0 / std::exp(1.0), 1e-3);  // at t = 1 / rate, a tick's end
+  EXPECT_LT(hand.q.angularDistance(turned), 2e-3);
+}
+
+TEST(Follow, TheVelocityIsThatOfThePath)
+{
+  const Followed from{{0.1, 0, 0}, Eigen::Quaterniond::Identity(), {1, -2, 0}, {0, 0, 1}};
+  const Eigen::Quaterniond turned(Eigen::AngleAxisd(0.5, Vector3d::UnitZ()));
+  const double h = 1e-6;
+  const Followed a = follow(from, {0, 0, 0.2}, turned, 25.0, 0.02);
+  const Followed b = follow(from, {0, 0, 0.2}, turned, 25.0, 0.02 + h);
+  EXPECT_TRUE(((b.p - a.p) / h).isApprox(a.v, 1e-3));
+  EXPECT_NEAR(Eigen::AngleAxisd(b.q * a.q.conjugate()).angle() / h, a.w.norm(), 1e-3 * a.w.norm() + 1e-4);
 }
 
 TEST(ViewAxes, AwayIsAwayFromTheViewerAndUpStaysUp)
