@@ -82,8 +82,7 @@ void MarkerPublisher::fill(visualization_msgs::MarkerArray& message, bool newcom
   if (!newcomer) shown_ = ids;
   if (isCrowd(world)) appendCrowd(world, simulation_.clock().now(), message.markers);
   const auto light = simulation_.props().find(blobs_);
-  if (light != simulation_.props().end())
-    message.markers.push_back(blobShadows(simulation_, light->second.p));
+  if (light != simulation_.props().end()) message.markers.push_back(blobShadows(simulation_, light->second.p));
   message.markers.push_back(trails_.marker(simulation_));
   message.markers.push_back(flashes_.marker(simulation_));
 }
