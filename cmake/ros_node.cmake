@@ -2,6 +2,7 @@
 add_library(${PROJECT_NAME}_ros
   src/ros/ball_feed.cpp
   src/ros/ball_markers.cpp
+  src/ros/blob_shadows.cpp
   src/ros/body_markers.cpp
   src/ros/command_mailbox.cpp
   src/ros/contact_flashes.cpp
@@ -13,6 +14,8 @@ add_library(${PROJECT_NAME}_ros
   src/ros/paddle_control.cpp
   src/ros/pacer.cpp
   src/ros/param_reader.cpp
+  src/ros/props.cpp
+  src/ros/rally.cpp
   src/ros/rejections.cpp
   src/ros/services.cpp
   src/ros/sim_node.cpp

@@ -10,8 +10,10 @@ function(add_ros_test name)
   target_link_libraries(${target} ${PROJECT_NAME}_ros ${PROJECT_NAME}_options ${tf2_ros_LIBRARIES})
   target_compile_definitions(${target} PRIVATE
     TEST_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/test/ros/data"
-    NODE="$<TARGET_FILE:${PROJECT_NAME}_node>")
-  add_dependencies(${target} ${PROJECT_NAME}_node)
+    NODE="$<TARGET_FILE:${PROJECT_NAME}_node>"
+    TELEOP="$<TARGET_FILE:${PROJECT_NAME}_teleop>"
+    VIEW="${CMAKE_CURRENT_SOURCE_DIR}/config/view.rviz")
+  add_dependencies(${target} ${PROJECT_NAME}_node ${PROJECT_NAME}_teleop)
 endfunction()
 
 foreach(name
@@ -32,3 +34,11 @@ foreach(name
 )
   add_ros_test(${name})
 endforeach()
+
+# In a real RViz on a screen in memory.
+if(TARGET ${PROJECT_NAME}_rviz)
+  foreach(name keys dragging light)
+    add_ros_test(${name})
+    add_dependencies(${PROJECT_NAME}_test_ros_${name} ${PROJECT_NAME}_rviz ${PROJECT_NAME}_handles)
+  endforeach()
+endif()

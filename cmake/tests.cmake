@@ -20,7 +20,7 @@ function(add_core_test name)
     catkin_add_gtest(${target} test/core/test_${name}.cpp)
     target_link_libraries(${target} gtest_main)
   endif()
-  target_link_libraries(${target} ${PROJECT_NAME}_stability ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
+  target_link_libraries(${target} ${PROJECT_NAME}_stability ${PROJECT_NAME}_core ${PROJECT_NAME}_keys ${PROJECT_NAME}_options)
   add_dependencies(${target} ${PROJECT_NAME}_simulate ${PROJECT_NAME}_validate)  # some run them
   target_include_directories(${target} PRIVATE test/core src/core)
   target_compile_definitions(${target} PRIVATE
@@ -63,6 +63,7 @@ foreach(name
     properties
     validation
     shots
+    keys
 )
   add_core_test(${name})
 endforeach()

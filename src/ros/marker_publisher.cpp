@@ -1,6 +1,7 @@
 #include "marker_publisher.h"
 
 #include "ball_markers.h"
+#include "blob_shadows.h"
 #include "body_markers.h"
 
 namespace ping_pong_sim
@@ -15,10 +16,12 @@ std::vector<ping_pong::BallId> ballIds(const ping_pong::World& world)
 }
 }  // namespace
 
-MarkerPublisher::MarkerPublisher(ros::NodeHandle& nh, double rate, const Simulation& simulation, JobQueue& jobs)
+MarkerPublisher::MarkerPublisher(ros::NodeHandle& nh, double rate, const std::string& blobs,
+                                 const Simulation& simulation, JobQueue& jobs)
     : nh_(nh),
       simulation_(simulation),
       gate_(rate),
+      blobs_(blobs),
       bodies_(nh.advertise<visualization_msgs::MarkerArray>("body_markers", 10, true)),
       markers_(nh, "markers", 10, jobs,
                [this](visualization_msgs::MarkerArray& message, bool newcomer)
@@ -78,6 +81,8 @@ void MarkerPublisher::fill(visualization_msgs::MarkerArray& message, bool newcom
   }
   if (!newcomer) shown_ = ids;
   if (isCrowd(world)) appendCrowd(world, simulation_.clock().now(), message.markers);
+  const auto light = simulation_.props().find(blobs_);
+  if (light != simulation_.props().end()) message.markers.push_back(blobShadows(simulation_, light->second.p));
   message.markers.push_back(trails_.marker(simulation_));
   message.markers.push_back(flashes_.marker(simulation_));
 }

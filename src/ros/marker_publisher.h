@@ -21,7 +21,9 @@ class MarkerPublisher
 {
 public:
   /// @param rate  of `markers`, per wall second, at most [1/s]
-  MarkerPublisher(ros::NodeHandle& nh, double rate, const Simulation& simulation, JobQueue& jobs);
+  /// @param blobs  light that throws a dark disc under every ball; empty: no discs
+  MarkerPublisher(ros::NodeHandle& nh, double rate, const std::string& blobs, const Simulation& simulation,
+                  JobQueue& jobs);
 
   /// After every tick: what trails and contacts must not miss.
   void observeTick();
@@ -43,6 +45,7 @@ private:
   ros::NodeHandle nh_;
   const Simulation& simulation_;
   RateGate gate_;
+  std::string blobs_;
   Trails trails_;
   ContactFlashes flashes_;
   std::vector<ping_pong::BallId> shown_;  ///< balls that subscribers know; another set makes them begin anew

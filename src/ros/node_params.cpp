@@ -78,6 +78,20 @@ void checkMethod(const ros::NodeHandle& nh, const std::string& method)
   }
 }
 
+Props readProps(ParamReader& reader)
+{
+  const ParamReader::Rows rows =
+      reader.rows("props", {}, 6, "NAME: [x, y, z, roll, pitch, yaw], pose of a frame in the world [m], [rad]");
+  if (rows.empty()) return defaultProps();
+  Props props;
+  for (const auto& row : rows)
+  {
+    const std::vector<double>& n = row.second;
+    props[row.first] = propPose({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
+  }
+  return props;
+}
+
 // Body names become frames and, for paddles, topics.
 void checkNames(const ping_pong::Scene& scene)
 {
@@ -110,6 +124,13 @@ NodeParams readParams(const ros::NodeHandle& private_nh)
   p.tolerance =
       reader.number("tolerance", p.tolerance, isTolerance, "0 (the scene's own), or an error from 1e-12 to 0.1 [m]");
   p.feed = readFeed(private_nh, reader, p.tick());
+  p.props = readProps(reader);
+  p.blob_shadows = reader.text("blob_shadows", p.blob_shadows);
+  if (!p.blob_shadows.empty() && p.props.count(p.blob_shadows) == 0)
+  {
+    throw ParamError("parameter " + private_nh.resolveName("blob_shadows") + ": " + p.blob_shadows +
+                     ": expected the name of a light of ~props, or nothing");
+  }
   checkMethod(private_nh, p.method);
   if (p.scene.empty())
   {

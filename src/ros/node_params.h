@@ -7,6 +7,7 @@
 
 #include "ball_feed.h"
 #include "ping_pong_sim/scene.h"
+#include "props.h"
 
 namespace ping_pong_sim
 {
@@ -27,6 +28,8 @@ struct NodeParams
   double dt = 0.0;         ///< [s]; 0: the scene's
   double tolerance = 0.0;  ///< [m]; 0: the scene's
   FeedParams feed;
+  Props props = defaultProps();  ///< at the start
+  std::string blob_shadows;      ///< name of the light that throws them; empty: none
 
   double tick() const { return 1.0 / publish_rate; }  ///< [s]
 };

@@ -32,6 +32,44 @@ std::string ParamReader::text(const std::string& name, const std::string& fallba
   return static_cast<std::string>(value);
 }
 
+namespace
+{
+// Empty if it is no list of finite numbers.
+std::vector<double> toNumbers(XmlRpc::XmlRpcValue value)
+{
+  std::vector<double> numbers;
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeArray) return {};
+  for (int i = 0; i < value.size(); ++i)
+  {
+    if (value[i].getType() == XmlRpc::XmlRpcValue::TypeDouble)
+      numbers.push_back(static_cast<double>(value[i]));
+    else if (value[i].getType() == XmlRpc::XmlRpcValue::TypeInt)
+      numbers.push_back(static_cast<int>(value[i]));
+    else
+      return {};
+    if (!std::isfinite(numbers.back())) return {};
+  }
+  return numbers;
+}
+}  // namespace
+
+ParamReader::Rows ParamReader::rows(const std::string& name, const Rows& fallback, std::size_t length,
+                                    const std::string& expected)
+{
+  XmlRpc::XmlRpcValue value;
+  if (!get(name, value)) return fallback;
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeStruct) fail(name, value, expected);
+  Rows rows;
+  for (auto& entry : value)
+  {
+    known_.insert(name + "/" + entry.first);
+    const std::vector<double> numbers = toNumbers(entry.second);
+    if (numbers.size() != length) fail(name + "/" + entry.first, entry.second, expected);
+    rows[entry.first] = numbers;
+  }
+  return rows;
+}
+
 std::vector<std::string> ParamReader::unread() const
 {
   std::vector<std::string> all;

@@ -3,6 +3,7 @@
 
 #include <ros/node_handle.h>
 
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -27,6 +28,9 @@ public:
   double number(const std::string& name, double fallback, bool (*valid)(double), const std::string& expected);
   bool flag(const std::string& name, bool fallback);
   std::string text(const std::string& name, const std::string& fallback);
+  using Rows = std::map<std::string, std::vector<double>>;
+  /// A dictionary of lists of `length` finite numbers.
+  Rows rows(const std::string& name, const Rows& fallback, std::size_t length, const std::string& expected);
 
   /// Private parameters that are set but were not asked for.
   std::vector<std::string> unread() const;

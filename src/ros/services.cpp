@@ -150,11 +150,22 @@ void Services::setBallState(const SetBallState::Request& request)
 void Services::setBodyPose(const SetBodyPose::Request& request)
 {
   ping_pong::World& world = node_.simulation().world();
+  const ping_pong::Pose X_WB = poseInWorld(framePose(world, request.frame_id), fromPose(request.pose, "pose"));
   const std::size_t body = world.findBody(request.body);
-  if (body == ping_pong::kNone) throw InputError("body: " + request.body + ": expected the name of a body");
-  const ping_pong::Pose X_WF = framePose(world, request.frame_id);
-  throwIf(world.setBodyPose(body, poseInWorld(X_WF, fromPose(request.pose, "pose"))));
-  node_.simulation().releasePaddle(body);
+  const auto prop = node_.simulation().props().find(request.body);
+  if (body != ping_pong::kNone)
+  {
+    throwIf(world.setBodyPose(body, X_WB));
+    node_.simulation().releasePaddle(body);
+  }
+  else if (prop != node_.simulation().props().end())
+  {
+    prop->second = X_WB;
+  }
+  else
+  {
+    throw InputError("body: " + request.body + ": expected the name of a body, a light or a camera");
+  }
   node_.showJump(true);
 }
 

@@ -36,7 +36,7 @@ SimNode::SimNode()
       paused_(params_.paused),
       simulation_(params_, loadSceneFor(params_, params_.scene), command_nh_, rejections_, firstStamp(use_sim_time_)),
       states_(nh_, simulation_, paused_, jobs_),
-      markers_(nh_, params_.marker_rate, simulation_, jobs_),
+      markers_(nh_, params_.marker_rate, params_.blob_shadows, simulation_, jobs_),
       status_(nh_, params_, simulation_, rejections_, paused_),
       pacer_(params_.real_time_factor > 0.0 ? params_.tick() / params_.real_time_factor : 0.0),
       state_gate_(params_.publish_rate),

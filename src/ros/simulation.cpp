@@ -23,7 +23,8 @@ Simulation::Simulation(const NodeParams& params, const ping_pong::Scene& scene, 
       command_nh_(command_nh),
       rejections_(rejections),
       clock_(start, params.tick()),
-      feed_(params.feed)
+      feed_(params.feed),
+      props_(params.props)
 {
   load(scene);
 }
@@ -33,6 +34,7 @@ void Simulation::reset()
   world_->reset();
   feed_.restart();
   counters_ = {};
+  rally_.restart();
   for (const auto& paddle : paddles_) paddle->release(*world_);
   if (params_.rewind_clock) clock_.rewind();
 }
@@ -59,7 +61,7 @@ void Simulation::releasePaddle(std::size_t body)
 
 ros::Time Simulation::stampOf(const ping_pong::Contact& contact) const
 {
-  const double before_now = std::clamp(world_->time() - contact.time, 0.0, params_.tick());
+  const double before_now = std::max(world_->time() - contact.time, 0.0);
   return clock_.now() - ros::Duration(before_now);
 }
 
@@ -67,6 +69,7 @@ void Simulation::load(const ping_pong::Scene& scene)
 {
   world_ = std::make_unique<ping_pong::World>(scene);  // throws before anything else is changed
   counters_ = {};
+  rally_.restart();
   feed_.restart();
   paddles_.clear();
   const auto frames = std::make_shared<std::set<std::string>>();
@@ -86,6 +89,7 @@ void Simulation::advance(double duration)
   elapsed_ += duration;
   feed_.update(*world_, rejections_);
   counters_.contacts += world_->contacts().size();
+  rally_.observe(*world_);
   if (counters_.last.ok()) return;
   ++counters_.step_warnings;
   counters_.step_warning = warningOf(counters_.last);

@@ -12,6 +12,8 @@
 #include "node_params.h"
 #include "paddle_control.h"
 #include "ping_pong_sim/world.h"
+#include "props.h"
+#include "rally.h"
 #include "rejections.h"
 #include "sim_clock.h"
 
@@ -48,11 +50,14 @@ public:
   const SimClock& clock() const { return clock_; }
   const std::vector<std::unique_ptr<PaddleControl>>& paddles() const { return paddles_; }
   const Counters& counters() const { return counters_; }
+  const Rally& rally() const { return rally_; }
+  Props& props() { return props_; }
+  const Props& props() const { return props_; }
   /// Simulated time since the node started; never goes back [s].
   double elapsed() const { return elapsed_; }
   /// The paddle's command is forgotten, if the body is a paddle.
   void releasePaddle(std::size_t body);
-  /// The instant of a contact of the last tick.
+  /// The instant of a contact since start or last reset.
   ros::Time stampOf(const ping_pong::Contact& contact) const;
 
 private:
@@ -66,6 +71,8 @@ private:
   std::vector<std::unique_ptr<PaddleControl>> paddles_;
   BallFeed feed_;
   Counters counters_;
+  Rally rally_;
+  Props props_;
   double elapsed_ = 0.0;
 };
 }  // namespace ping_pong_sim

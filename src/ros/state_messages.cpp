@@ -108,6 +108,12 @@ void fillStaticFrames(const Simulation& simulation, tf2_msgs::TFMessage& message
     message.transforms.emplace_back();
     setFrame(message.transforms.back(), simulation.clock().now(), world.body(i).name, world.bodyPose(i));
   }
+  for (const auto& prop : simulation.props())
+  {
+    if (!isShown(world, prop.first)) continue;
+    message.transforms.emplace_back();
+    setFrame(message.transforms.back(), simulation.clock().now(), prop.first, prop.second);
+  }
 }
 
 Contact toContact(const Simulation& simulation, const ping_pong::Contact& contact)

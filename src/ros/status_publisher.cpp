@@ -1,7 +1,36 @@
 #include "status_publisher.h"
 
+#include <algorithm>
+
+#include "state_messages.h"
+
 namespace ping_pong_sim
 {
+namespace
+{
+constexpr std::size_t kMostBallIds = 50;
+
+void fillNames(const Simulation& simulation, SimStatus& message)
+{
+  const ping_pong::World& world = simulation.world();
+  message.paddles.clear();
+  message.furniture.clear();
+  message.props.clear();
+  for (std::size_t i = 0; i < world.bodyCount(); ++i)
+  {
+    if (world.body(i).urdf_path.empty()) continue;  // the floor
+    const bool is_paddle = world.body(i).kind == ping_pong::BodyKind::Kinematic;
+    (is_paddle ? message.paddles : message.furniture).push_back(world.body(i).name);
+  }
+  for (const auto& prop : simulation.props())
+  {
+    if (isShown(world, prop.first)) message.props.push_back(prop.first);
+  }
+  message.ball_ids.resize(std::min(world.ballCount(), kMostBallIds));
+  for (std::size_t i = 0; i < message.ball_ids.size(); ++i) message.ball_ids[i] = world.ballId(i);
+}
+}  // namespace
+
 StatusPublisher::StatusPublisher(ros::NodeHandle& nh, const NodeParams& params, const Simulation& simulation,
                                  const Rejections& rejections, const bool& paused)
     : params_(params),
@@ -60,6 +89,12 @@ void StatusPublisher::fill()
   message_.rejected_reason = rejections_.last();
   message_.step_warnings = counters.step_warnings;
   message_.step_warning = counters.step_warning;
+  const Rally& rally = simulation_.rally();
+  message_.has_contact = rally.lastContact().has_value();
+  message_.last_contact = message_.has_contact ? toContact(simulation_, *rally.lastContact()) : Contact();
+  message_.rally = rally.hits();
+  message_.best_rally = rally.best();
+  fillNames(simulation_, message_);
 }
 
 void StatusPublisher::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)

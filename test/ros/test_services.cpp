@@ -158,6 +158,69 @@ TEST_F(PausedWorld, SetBodyPoseMovesTableAndPaddle)
   EXPECT_TRUE(sim_test::eventually([&] { return frames.at("paddle").transform.translation.x == -2.0; }));
 }
 
+TEST_F(PausedWorld, LightsAndCamerasMoveLikeBodies)
+{
+  sim_test::Frames frames;
+  sim_test::Inbox<SimStatus> status(nh_, "status");
+  ASSERT_TRUE(status.waitForCount(1));
+  EXPECT_EQ(status.last().props, (std::vector<std::string>{"camera", "light"}));
+  EXPECT_EQ(status.last().paddles, (std::vector<std::string>{"paddle"}));
+  EXPECT_EQ(status.last().furniture, (std::vector<std::string>{"table"}));
+  EXPECT_EQ(status.last().ball_ids, (std::vector<std::uint32_t>{0, 1}));
+  SetBodyPose::Request request;
+  request.body = "light";
+  request.pose.position.z = 2.5;
+  request.pose.orientation.w = 1.0;
+  ASSERT_TRUE(sim_test::call<SetBodyPose>("set_body_pose", request).success);
+  EXPECT_TRUE(sim_test::eventually([&] { return frames.at("light").transform.translation.z == 2.5; }));
+  request.body = "lamp";
+  const auto refused = sim_test::call<SetBodyPose>("set_body_pose", request);
+  EXPECT_FALSE(refused.success);
+  EXPECT_NE(refused.message.find("lamp"), std::string::npos);
+}
+
+TEST_F(PausedWorld, StatusTellsTheLastContactAndTheRally)
+{
+  sim_test::Inbox<SimStatus> status(nh_, "status");
+  SetBallState::Request request;
+  request.id = 0;
+  request.pose.position.x = -0.8;
+  request.pose.position.z = 1.0;
+  request.pose.orientation.w = 1.0;
+  request.twist.linear.x = -2.0;  // onto the forehand
+  ASSERT_TRUE(sim_test::call<SetBallState>("set_ball_state", request).success);
+  step(0.2);
+  ASSERT_TRUE(status.waitFor([](const SimStatus& s) { return s.rally == 1 && s.has_contact; }));
+  EXPECT_EQ(status.last().last_contact.other, "paddle");
+  EXPECT_NEAR(status.last().last_contact.velocity_before.x, -2.0, 1e-9);
+  sim_test::reset();
+  EXPECT_TRUE(status.waitFor([](const SimStatus& s) { return s.rally == 0 && !s.has_contact; }));
+}
+
+TEST_F(PausedWorld, BallsThrowDiscsOnThePlatesBelow)
+{
+  sim_test::Inbox<visualization_msgs::MarkerArray> markers(nh_, "markers");
+  SetBodyPose::Request light;
+  light.body = "light";
+  light.pose.position.x = 3.0;
+  light.pose.position.z = 4.0;
+  light.pose.orientation.w = 1.0;
+  ASSERT_TRUE(sim_test::call<SetBodyPose>("set_body_pose", light).success);
+  ASSERT_TRUE(spawn(3.0, 0.0, 1.0).success);  // right under it, over the table
+  EXPECT_TRUE(markers.waitFor(
+      [](const visualization_msgs::MarkerArray& array)
+      {
+        for (const auto& marker : array.markers)
+        {
+          if (marker.ns != "shadows" || marker.points.empty()) continue;
+          double x = 0.0;
+          for (const auto& point : marker.points) x += point.x / static_cast<double>(marker.points.size());
+          return std::abs(x - 3.0) < 0.03 && marker.points.front().z < 1.0;
+        }
+        return false;
+      }));
+}
+
 TEST_F(PausedWorld, ResetReturnsToTheSceneWhileTheClockRunsOn)
 {
   sim_test::Inbox<rosgraph_msgs::Clock> clock(nh_, "/clock");

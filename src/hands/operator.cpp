@@ -1,0 +1,295 @@
+#include "operator.h"
+
+#include <ros/this_node.h>
+
+#include <algorithm>
+
+namespace ping_pong_sim
+{
+namespace
+{
+using ping_pong::Action;
+using ping_pong::Group;
+
+constexpr double kMovePeriod = 1.0 / 30.0;  ///< of steady moves, each one a service call [s]
+constexpr double kHeartbeat = 1.0;          ///< of `hands` [s]
+constexpr double kNoteLife = 4.0;           ///< [s]
+
+class Post : public ros::CallbackInterface
+{
+public:
+  explicit Post(std::function<void()> job) : job_(std::move(job)) {}
+  CallResult call() override
+  {
+    job_();
+    return Success;
+  }
+
+private:
+  std::function<void()> job_;
+};
+
+ros::NodeHandle onQueue(ros::CallbackQueue& queue)
+{
+  ros::NodeHandle nh;
+  nh.setCallbackQueue(&queue);
+  return nh;
+}
+
+bool startsWith(const std::string& text, const std::string& start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+
+bool isTable(const std::string& name)
+{
+  return startsWith(name, "table");
+}
+
+bool same(const HandsState& a, const HandsState& b)
+{
+  return a.selected == b.selected && a.moving == b.moving && a.help == b.help && a.note == b.note;
+}
+}  // namespace
+
+Operator::Operator(const std::string& simulator, std::shared_ptr<tf2_ros::Buffer> frames,
+                   const ping_pong::HoldLimits& limits, Tell tell)
+    : nh_(onQueue(queue_)),
+      link_(nh_, simulator, std::move(frames)),
+      paddle_(nh_),
+      held_(limits),
+      tell_(std::move(tell))
+{
+  state_.operator_name = ros::this_node::getName();
+  hands_ = nh_.advertise<HandsState>("hands", 10);
+  others_ = nh_.subscribe("hands", 10, &Operator::onOther, this);
+  const boost::function<void(const PaddleStates::ConstPtr&)> follow = [this](const PaddleStates::ConstPtr& states)
+  { paddle_.follow(*states); };
+  paddles_ =
+      nh_.subscribe<PaddleStates>("paddles", 10, follow, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  thread_ = std::thread([this] { run(); });
+}
+
+Operator::~Operator()
+{
+  running_ = false;
+  thread_.join();
+  paddle_.take("");
+}
+
+void Operator::setParams(const OperatorParams& params)
+{
+  post([=] { params_ = params; });
+}
+
+void Operator::setView(const Eigen::Vector3d& right_W, const Eigen::Vector3d& up_W)
+{
+  post([=] { axes_ = ping_pong::viewAxes(right_W, up_W); });
+}
+
+void Operator::press(ping_pong::Key key)
+{
+  post(
+      [=]
+      {
+        if (const ping_pong::KeyEntry* entry = ping_pong::findKey(key))
+          obey(*entry);
+        else
+          note("this key does nothing; H shows the keys");
+      });
+}
+
+void Operator::release(ping_pong::Key key)
+{
+  post(
+      [=]
+      {
+        held_.release(key);
+        wishChanged();
+      });
+}
+
+void Operator::releaseAll()
+{
+  post(
+      [=]
+      {
+        held_.releaseAll();
+        wishChanged();
+      });
+}
+
+void Operator::post(std::function<void()> job)
+{
+  queue_.addCallback(boost::make_shared<Post>(std::move(job)));
+}
+
+void Operator::run()
+{
+  while (running_ && ros::ok())
+  {
+    queue_.callAvailable(ros::WallDuration(0.02));
+    tick();
+  }
+}
+
+void Operator::tick()
+{
+  const double now = wallSeconds();
+  const bool any = held_.any();
+  held_.expire(now);
+  if (any) wishChanged();
+  if (state_.selected.empty()) select(Group::Paddles);
+  moveSteadily(now);
+  if (link_.status() == nullptr)
+    note("no simulator");
+  else if (state_.note == "no simulator" || now > note_until_)
+    state_.note.clear();
+  state_.moving = held_.any() || paddle_.moving();
+  publish(now - told_at_ > kHeartbeat);
+}
+
+void Operator::obey(const ping_pong::KeyEntry& entry)
+{
+  const SimStatus* status = link_.status();
+  switch (entry.action)
+  {
+    case Action::Select:
+      select(entry.group);
+      break;
+    case Action::Move:
+    case Action::Turn:
+      held_.press(entry.key, wallSeconds());
+      wishChanged();
+      break;
+    case Action::Pause:
+      note(link_.setPaused(status == nullptr || !status->paused));
+      break;
+    case Action::Step:
+      if (status != nullptr && !status->paused) note(link_.setPaused(true));
+      note(link_.step(params_.step));
+      break;
+    case Action::Reset:
+      note(link_.reset());
+      break;
+    case Action::Launch:
+      note(link_.launch(params_.shot));
+      break;
+    case Action::Help:
+      state_.help = !state_.help;
+      break;
+    case Action::View:
+      break;  // the window's own
+  }
+}
+
+void Operator::select(Group group)
+{
+  const std::vector<std::string> names = members(group);
+  if (names.empty())
+  {
+    if (link_.status() != nullptr && !state_.selected.empty()) note("this scene has none of these");
+    return;
+  }
+  const auto current = std::find(names.begin(), names.end(), state_.selected);
+  const bool next = current != names.end() && std::next(current) != names.end();
+  state_.selected = next ? *std::next(current) : names.front();
+  moved_at_ = 0.0;
+  paddle_.take(isPaddle(state_.selected) ? state_.selected : "");
+  wishChanged();
+}
+
+std::vector<std::string> Operator::members(Group group) const
+{
+  const SimStatus* status = link_.status();
+  std::vector<std::string> names;
+  if (status == nullptr) return names;
+  const auto collect = [&](const std::vector<std::string>& from, auto wanted)
+  { std::copy_if(from.begin(), from.end(), std::back_inserter(names), wanted); };
+  if (group == Group::Balls)
+  {
+    for (const std::uint32_t id : status->ball_ids) names.push_back("ball_" + std::to_string(id));
+  }
+  if (group == Group::Paddles) names = status->paddles;
+  if (group == Group::Table) collect(status->furniture, isTable);
+  if (group == Group::Walls) collect(status->furniture, [](const std::string& name) { return !isTable(name); });
+  if (group == Group::Light) collect(status->props, [](const std::string& name) { return startsWith(name, "light"); });
+  if (group == Group::Camera)
+    collect(status->props, [](const std::string& name) { return startsWith(name, "camera"); });
+  return names;
+}
+
+bool Operator::isPaddle(const std::string& name) const
+{
+  const SimStatus* status = link_.status();
+  return status != nullptr && std::count(status->paddles.begin(), status->paddles.end(), name) > 0;
+}
+
+// While the world stands still a paddle cannot be swung, but put elsewhere like everything else.
+bool Operator::gliding() const
+{
+  return isPaddle(state_.selected) && !link_.status()->paused;
+}
+
+void Operator::wishChanged()
+{
+  const Eigen::Matrix3d axes = params_.world_axes ? Eigen::Matrix3d::Identity() : axes_;
+  paddle_.wish(gliding() ? held_.wish() : ping_pong::Wish(), axes, params_.glide);
+}
+
+void Operator::moveSteadily(double now)
+{
+  const ping_pong::Wish wish = held_.wish();
+  if (wish.isZero() || state_.selected.empty() || gliding())
+  {
+    moved_at_ = 0.0;
+    return;
+  }
+  if (moved_at_ == 0.0)
+  {
+    const std::optional<FramePose> pose = link_.pose(state_.selected);
+    if (!pose) return note("nobody knows where " + state_.selected + " is");
+    moved_to_ = *pose;
+    moved_at_ = now - kMovePeriod;
+  }
+  const double dt = std::min(now - moved_at_, 3.0 * kMovePeriod);
+  if (dt < kMovePeriod) return;
+  moved_at_ = now;
+  const Eigen::Matrix3d axes = params_.world_axes ? Eigen::Matrix3d::Identity() : axes_;
+  moved_to_.p += params_.glide.speed * dt * (axes * wish.move);
+  const Eigen::Vector3d turn = params_.glide.angular_speed * dt * (axes * wish.turn);
+  if (!turn.isZero(0.0)) moved_to_.q = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * moved_to_.q;
+  moved_to_.q.normalize();
+  const std::optional<std::uint32_t> ball = ballOfFrame(state_.selected);
+  const Eigen::Vector3d still = Eigen::Vector3d::Zero();
+  const std::string refusal =
+      ball ? link_.place(*ball, moved_to_, still, still) : link_.place(state_.selected, moved_to_);
+  if (!refusal.empty()) moved_at_ = 0.0;
+  note(refusal);
+}
+
+void Operator::note(const std::string& text)
+{
+  if (text.empty()) return;
+  state_.note = text;
+  note_until_ = wallSeconds() + kNoteLife;
+}
+
+void Operator::onOther(const HandsState::ConstPtr& other)
+{
+  if (other->operator_name == state_.operator_name || !other->moving || !state_.moving) return;
+  if (other->selected == state_.selected) note(state_.selected + " is also moved by " + other->operator_name);
+}
+
+void Operator::publish(bool always)
+{
+  const bool changed = !same(state_, told_);
+  if (!changed && !always) return;
+  state_.header.stamp = ros::Time::now();
+  state_.header.frame_id = state_.selected;
+  told_ = state_;
+  told_at_ = wallSeconds();
+  hands_.publish(state_);
+  if (changed && tell_) tell_(state_);
+}
+}  // namespace ping_pong_sim
