@@ -40,6 +40,7 @@ foreach(name
     simulate
     paddle_drive
     paddle_blocking
+    choose_method
     flight
     ladder
     allocations

@@ -20,6 +20,7 @@ struct DragLaw
 
   static DragLaw constant(double C_D);
   double at(double reynolds_number, double spin_ratio_now) const;
+  bool feelsSpin() const { return values.empty() ? with_spin != without_spin : spin_ratio.size() > 1; }
 };
 
 /// C_L(S), with |F_M| = (1/2) rho A C_L u^2 for spin across the flight. Papers normalise differently: docs/physics.md.

@@ -231,7 +231,7 @@ void fly(const BallState& state, double start, const FlightModel& model, double 
 {
   startAt(state, start, model.spinDecay(), path);
   if (model.constant()) return bendBy(model.acceleration(state.v_WB, state.w_WB), path);
-  if (tolerance > 1e-5)
+  if (pieceDegree(tolerance) == 5)
     flyThroughAir<4>(model, tolerance, path, step);
   else
     flyThroughAir<8>(model, tolerance, path, step);

@@ -4,6 +4,7 @@
 
 #include "exact_method.h"
 #include "fixed_step.h"
+#include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/drive.h"
 #include "placement.h"
 #include "world_state.h"
@@ -59,6 +60,7 @@ struct World::Impl : WorldState
 void World::Impl::start()
 {
   scene = loaded;
+  scene.method = chooseMethod(loaded).method;
   time = time_rest = 0.0;
   next_id = 0;
   contacts.clear();
@@ -219,6 +221,7 @@ StepStatus World::advance(double duration)
 
 double World::time() const { return impl_->time; }
 const Scene& World::scene() const { return impl_->loaded; }
+Method World::method() const { return impl_->scene.method; }
 const std::vector<Contact>& World::contacts() const { return impl_->contacts; }
 
 std::size_t World::ballCount() const { return impl_->balls.size(); }
