@@ -92,6 +92,7 @@ public:
   double rate(const Vector3d& v_WB, const Vector3d& w_WB) const;
 
 private:
+  double rimSpeed(const Vector3d& w_WB) const;
   template <int N>
   Column<N> dragFactors(const Column<N>& speed, const Column<N>& rim) const;
   template <int N>
@@ -102,5 +103,6 @@ private:
   Vector3d gravity_;   ///< with buoyancy and added mass [m/s^2]
   double drag_;        ///< rho A / (2 m') [1/m]
   double lift_;        ///< rho A r / (2 m')
+  bool spin_ratio_;    ///< a law depends on S
 };
 }  // namespace ping_pong

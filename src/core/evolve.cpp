@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "count.h"
+
 namespace ping_pong
 {
 namespace
@@ -142,6 +144,8 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
   using Rows = FlightModel::Rows<N>;
   const Vector3d& v0 = path.c[1];
   FlightModel::Column<N> fade = FlightModel::Column<N>::Ones();
+  count(N == 4 ? Law::Collocation5 : Law::Collocation9);
+  if (path.spin_decay > 0.0) count(Law::SpinDecay, N);
   if (path.spin_decay > 0.0) fade = (-path.spin_decay * h * points.nodes.array()).exp();
   Rows v = firstGuess<N>(model, path, h, points);
   Rows a;
@@ -242,6 +246,7 @@ Quaterniond turned(const Quaterniond& q, const Vector3d& w, double s)
 {
   const double speed = w.norm();
   if (speed == 0.0 || s == 0.0) return q;
+  count(Law::Orientation);
   const Vector3d axis = w / speed;
   const double half = 0.5 * speed * s;
   const Quaterniond turn(std::cos(half), std::sin(half) * axis.x(), std::sin(half) * axis.y(),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "count.h"
 #include "exact_method.h"
 #include "fixed_step.h"
 #include "ping_pong_sim/choose_method.h"
@@ -129,6 +130,7 @@ double World::Impl::movePaddles(double end)
   for (BodyRecord& body : bodies)
   {
     if (!atWork(body)) continue;
+    count(Law::PaddleMotion);
     const BodyMotion wanted = followCommand(body.command, body.body.limits, body.motion, time, h);
     const BlockedMotion allowed = stopAtObstacles(body.body.shapes, wanted, h, obstacles);
     body.motion = allowed.motion;
