@@ -40,6 +40,7 @@ foreach(name
     simulate
     paddle_drive
     paddle_blocking
+    choose_method
     flight
     ladder
     allocations
@@ -70,6 +71,22 @@ endforeach()
 
 add_core_test(chart)
 add_dependencies(${PROJECT_NAME}_test_chart ${PROJECT_NAME}_chart)
+
+# The physics once more, counting the evaluations of each law; the libraries and their tests know nothing of it.
+add_library(${PROJECT_NAME}_counting STATIC EXCLUDE_FROM_ALL ${${PROJECT_NAME}_physics})
+target_compile_definitions(${PROJECT_NAME}_counting PUBLIC PING_PONG_SIM_COUNT)
+target_include_directories(${PROJECT_NAME}_counting PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include src/core)
+target_link_libraries(${PROJECT_NAME}_counting PUBLIC Eigen3::Eigen PRIVATE ${PROJECT_NAME}_options)
+set(counting_test ${PROJECT_NAME}_test_pay_for_what_you_name)
+if(CORE_ONLY)
+  add_executable(${counting_test} test/core/test_pay_for_what_you_name.cpp)
+  target_link_libraries(${counting_test} GTest::GTest GTest::Main)
+  add_test(NAME pay_for_what_you_name COMMAND ${counting_test})
+else()
+  catkin_add_gtest(${counting_test} test/core/test_pay_for_what_you_name.cpp)
+  target_link_libraries(${counting_test} gtest_main)
+endif()
+target_link_libraries(${counting_test} ${PROJECT_NAME}_counting ${PROJECT_NAME}_options)
 
 if(NOT CORE_ONLY)
   include(cmake/ros_tests.cmake)

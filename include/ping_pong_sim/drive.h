@@ -28,7 +28,16 @@ struct BlockedMotion
   bool blocked = false;   ///< an obstacle changed it
 };
 
+/// A shape of the body and one of an obstacle.
+struct ShapePair
+{
+  const Shape* mine;
+  const Shape* other;
+  Pose X_WO;  ///< of the obstacle
+};
+
 /// Cuts and bends a motion so that the body does not enter the obstacles: it stops at their surface and slides along it.
+/// @param near  room for the pairs within reach; keeps its memory from call to call, one place for each pair is enough
 BlockedMotion stopAtObstacles(const std::vector<Shape>& shapes, const BodyMotion& motion, double h,
-                              const std::vector<Obstacle>& obstacles);
+                              const std::vector<Obstacle>& obstacles, std::vector<ShapePair>& near);
 }  // namespace ping_pong

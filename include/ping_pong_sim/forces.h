@@ -20,6 +20,7 @@ struct DragLaw
 
   static DragLaw constant(double C_D);
   double at(double reynolds_number, double spin_ratio_now) const;
+  bool feelsSpin() const { return values.empty() ? with_spin != without_spin : spin_ratio.size() > 1; }
 };
 
 /// C_L(S), with |F_M| = (1/2) rho A C_L u^2 for spin across the flight. Papers normalise differently: docs/physics.md.
@@ -93,6 +94,7 @@ public:
   double rate(const Vector3d& v_WB, const Vector3d& w_WB) const;
 
 private:
+  double rimSpeed(const Vector3d& w_WB) const;
   template <int N>
   Column<N> dragFactors(const Column<N>& speed, const Column<N>& rim) const;
   template <int N>
@@ -103,5 +105,6 @@ private:
   Vector3d gravity_;   ///< with buoyancy and added mass [m/s^2]
   double drag_;        ///< rho A / (2 m') [1/m]
   double lift_;        ///< rho A r / (2 m')
+  bool spin_ratio_;    ///< a law depends on S
 };
 }  // namespace ping_pong

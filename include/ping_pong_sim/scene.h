@@ -19,14 +19,16 @@ enum class Method
   Verlet,             ///< velocity Verlet; contacts at step ends
   Rk4,                ///< classic Runge-Kutta; contacts at step ends
   Rk4Located,         ///< classic Runge-Kutta; contacts located inside the step, as in `exact`
-  Exact               ///< closed form or polynomials of controlled error; contacts located and handled event by event
+  Exact,              ///< closed form or polynomials of controlled error; contacts located and handled event by event
+  Auto                ///< the cheapest of the others that meets the scene's tolerance, see choose_method.h
 };
 
-/// From the simplest to the best.
+/// All that can run, from the simplest to the best: a World resolves Auto to one of them.
 constexpr std::array<Method, 6> kMethods = {Method::EulerExplicit, Method::EulerSemiImplicit, Method::Verlet,
                                             Method::Rk4,           Method::Rk4Located,        Method::Exact};
 
 /// Contacts are found where they happen, and balls come to rest; else they are looked for at step ends only.
+/// @param method  not Auto, which may come to either
 constexpr bool locatesContacts(Method method)
 {
   return method == Method::Rk4Located || method == Method::Exact;
@@ -82,13 +84,13 @@ struct Scene
   SurfaceTable surfaces;
   std::vector<Body> bodies;  ///< the floor, if any, is the static body "floor" with one HalfSpace
   std::vector<SceneBall> balls;
-  Method method = Method::Exact;
+  Method method = Method::Auto;
   double dt = 1e-3;         ///< longest step of all methods but `exact` [s]
   double tolerance = 1e-6;  ///< of `exact` where the path has no closed form: position error over a rally of about a second [m]
 };
 
 const char* name(Method method);
-/// All names, from the simplest to the best, with a comma between them.
+/// All names, from the simplest to the best, then auto, with a comma between them.
 std::string methodNames();
 /// Throws std::invalid_argument that lists the known names.
 Method methodFromName(const std::string& text);

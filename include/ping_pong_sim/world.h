@@ -53,6 +53,7 @@ public:
 
   double time() const;                                  ///< since the start or reset [s]
   const Scene& scene() const;                           ///< as loaded; reset() returns to it
+  Method method() const;                                ///< in use: the scene's, or what its Auto came to
   const std::vector<Contact>& contacts() const;         ///< of the last advance(), in order of time
 
   std::size_t ballCount() const;

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "csv_file.h"
+#include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/scene_loader.h"
 #include "ping_pong_sim/world.h"
 #include "simulate_options.h"
@@ -139,7 +140,9 @@ void printSummary(const SimulateOptions& options, const World& world, const Repo
 {
   const double ball_seconds = static_cast<double>(world.ballCount()) * *options.duration;
   std::fprintf(stderr, "scene %s, method %s, %zu balls, %g s simulated\n", world.scene().name.c_str(),
-               name(world.scene().method), world.ballCount(), *options.duration);
+               name(world.method()), world.ballCount(), *options.duration);
+  if (world.scene().method == Method::Auto)
+    std::fprintf(stderr, "auto takes %s\n", chooseMethod(world.scene()).reason.c_str());
   std::fprintf(stderr, "cost %.6g s wall, %.4g us per ball and simulated second, %.4g x real time\n", report.wall,
                ball_seconds > 0.0 ? 1e6 * report.wall / ball_seconds : 0.0, *options.duration / report.wall);
   std::fprintf(stderr, "contacts %zu, events %zu\n", report.contacts, report.events);

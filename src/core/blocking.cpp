@@ -21,13 +21,6 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr int kMaxLooks = 64;
 constexpr int kMaxProjections = 16;
 
-struct Pair
-{
-  const Shape* mine;
-  const Shape* other;
-  Pose X_WO;  // of the obstacle
-};
-
 // Speed of any point of the body over [0, h] is at most this.
 struct SpeedBound
 {
@@ -43,13 +36,13 @@ struct SpeedBound
   double rotation() const { return angular * reach; }
 };
 
-std::vector<Pair> pairsInReach(const std::vector<Shape>& shapes, const BodyMotion& motion, double h,
-                               const std::vector<Obstacle>& obstacles)
+void findPairsInReach(const std::vector<Shape>& shapes, const BodyMotion& motion, double h,
+                      const std::vector<Obstacle>& obstacles, std::vector<ShapePair>& pairs)
 {
   const SpeedBound bound(shapes, motion, h);
   // Bending a motion adds to its speed what its points lose against the surface.
   const double travel = 2.0 * (bound.linear + bound.rotation()) * h + 20.0 * kBand;
-  std::vector<Pair> pairs;
+  pairs.clear();
   for (const Shape& mine : shapes)
     for (const Obstacle& obstacle : obstacles)
       for (const Shape& other : *obstacle.shapes)
@@ -59,7 +52,6 @@ std::vector<Pair> pairsInReach(const std::vector<Shape>& shapes, const BodyMotio
         if (proximity(other, p_OM).distance - boundingRadius(mine) < travel)
           pairs.push_back({&mine, &other, obstacle.pose});
       }
-  return pairs;
 }
 
 // Touching now: takes out of velocity and acceleration what would go into the surface by the end of the motion. True if
@@ -87,12 +79,12 @@ void stop(BodyMotion& motion)
   motion.alpha_WB.setZero();
 }
 
-bool bendAwayFromAll(const std::vector<Pair>& pairs, double band, double h, BodyMotion& motion)
+bool bendAwayFromAll(const std::vector<ShapePair>& pairs, double band, double h, BodyMotion& motion)
 {
   for (int i = 0; i < kMaxProjections; ++i)
   {
     bool bent = false;
-    for (const Pair& pair : pairs)
+    for (const ShapePair& pair : pairs)
       bent |= bendAway(separation(*pair.mine, motion.pose, *pair.other, pair.X_WO), band, h, motion);
     if (!bent) return i > 0;
   }
@@ -112,7 +104,7 @@ double safeFor(const Separation& at, const BodyMotion& motion, double s, double 
 }
 
 // Latest time up to which the motion keeps clear.
-double clearUntil(const std::vector<Shape>& shapes, const BodyMotion& motion, double h, const std::vector<Pair>& pairs)
+double clearUntil(const std::vector<Shape>& shapes, const BodyMotion& motion, double h, const std::vector<ShapePair>& pairs)
 {
   const SpeedBound bound(shapes, motion, h);
   double s = 0.0;
@@ -120,7 +112,7 @@ double clearUntil(const std::vector<Shape>& shapes, const BodyMotion& motion, do
   {
     const Pose now = motion.poseAt(s);
     double step = h - s;
-    for (const Pair& pair : pairs)
+    for (const ShapePair& pair : pairs)
     {
       const Separation at = separation(*pair.mine, now, *pair.other, pair.X_WO);
       step = std::min(step, safeFor(at, motion, s, h, bound));
@@ -131,7 +123,7 @@ double clearUntil(const std::vector<Shape>& shapes, const BodyMotion& motion, do
   return std::min(s, h);
 }
 // Bends the motion away from all pairs; true if it is then clear for a time worth moving.
-bool bentIsClear(const std::vector<Shape>& shapes, const std::vector<Pair>& pairs, double band, double h,
+bool bentIsClear(const std::vector<Shape>& shapes, const std::vector<ShapePair>& pairs, double band, double h,
                  BlockedMotion& result)
 {
   result.blocked |= bendAwayFromAll(pairs, band, h, result.motion);
@@ -142,18 +134,18 @@ bool bentIsClear(const std::vector<Shape>& shapes, const std::vector<Pair>& pair
 }  // namespace
 
 BlockedMotion stopAtObstacles(const std::vector<Shape>& shapes, const BodyMotion& motion, double h,
-                              const std::vector<Obstacle>& obstacles)
+                              const std::vector<Obstacle>& obstacles, std::vector<ShapePair>& near)
 {
   BlockedMotion result{motion, h, false};
-  const std::vector<Pair> pairs = pairsInReach(shapes, motion, h, obstacles);
-  if (pairs.empty()) return result;
+  findPairsInReach(shapes, motion, h, obstacles, near);
+  if (near.empty()) return result;
   // A fast paddle just above the band would meet the surface at once: then treat it as touching from a little further.
   // Where a turn drives it in, the turn gives way before the slide.
   for (const double band : {kBand, 4.0 * kBand, 16.0 * kBand})
-    if (bentIsClear(shapes, pairs, band, h, result)) return result;
+    if (bentIsClear(shapes, near, band, h, result)) return result;
   result.motion.twist.w.setZero();
   result.motion.alpha_WB.setZero();
-  if (bentIsClear(shapes, pairs, kBand, h, result)) return result;
+  if (bentIsClear(shapes, near, kBand, h, result)) return result;
   stop(result.motion);
   result.duration = h;
   return result;

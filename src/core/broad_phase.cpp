@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "count.h"
+
 namespace ping_pong
 {
 namespace
@@ -96,6 +98,7 @@ void BroadPhase::fill(const std::vector<Box>& boxes)
 
 const std::vector<BroadPhase::Pair>& BroadPhase::findPairs(const std::vector<Box>& boxes)
 {
+  count(Law::BroadPhase);
   layOut(boxes);
   fill(boxes);
   pairs_.clear();

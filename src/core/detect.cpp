@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "count.h"
 #include "march.h"
 
 namespace ping_pong
@@ -157,6 +158,8 @@ Detection firstContact(const Segment& path, double radius, const Shape& shape, c
                        double until)
 {
   if (motion.still()) return firstContact(path, radius, placed(shape, motion.pose), from, until);
+  count(meeting(shape.kind));
+  count(Law::MeetMoving);
   until = std::min(until, path.end);
   if (from > until || outOfReach(path, radius, shape, motion, from, until)) return {};
   const auto frame = [&](double t) { return frameAt(motion, t - motion.start); };
@@ -180,6 +183,7 @@ Detection firstContact(const Segment& path, double radius, const Shape& shape, c
 Detection firstContact(const Segment& path1, double radius1, const Segment& path2, double radius2, double from,
                        double until)
 {
+  count(Law::PairSearch);
   until = std::min({until, path1.end, path2.end});
   if (from > until) return {};
   const double reach = radius1 + radius2;

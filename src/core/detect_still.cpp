@@ -1,4 +1,5 @@
 // First contact with a shape that does not move: the path is taken into the shape's frame once, and searched there.
+#include "count.h"
 #include "march.h"
 #include "proximity_here.h"
 
@@ -124,6 +125,7 @@ Shape placed(Shape shape, const Pose& X_WB)
 
 Detection firstContact(const Segment& path, double radius, const Shape& placed, double from, double until)
 {
+  count(meeting(placed.kind));
   until = std::min(until, path.end);
   if (from > until) return {};
   return placed.kind == ShapeKind::HalfSpace ? meetPlane(path, radius, placed, from, until)

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "count.h"
+
 namespace ping_pong
 {
 namespace
@@ -101,9 +103,6 @@ struct Points
 template <int N>
 constexpr double kShareOfLast = N < 6 ? 2e-2 : 1e-2;
 constexpr double kSweepsShare = 0.1;   // of the tolerance, left to the sweeps
-// Tolerances above which 4 and 6 points are the cheapest.
-constexpr double kFewPoints = 3e-6;   // [m]
-constexpr double kSomePoints = 1e-9;  // [m]
 constexpr int kMaxSweeps = 40;
 constexpr double kLongestPiece = 1.0;  // [s]
 constexpr double kNoKink = std::numeric_limits<double>::infinity();  // [s]
@@ -167,6 +166,8 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
   using Rows = FlightModel::Rows<N>;
   const Vector3d& v0 = path.c[1];
   FlightModel::Column<N> fade = FlightModel::Column<N>::Ones();
+  count(N == 4 ? Law::Collocation5 : Law::Collocation9);
+  if (path.spin_decay > 0.0) count(Law::SpinDecay, N);
   if (path.spin_decay > 0.0) fade = (-path.spin_decay * h * points.nodes.array()).exp();
   Rows v = firstGuess<N>(model, path, h, points);
   Rows a;
@@ -281,9 +282,10 @@ void fly(const BallState& state, double start, const FlightModel& model, double 
 {
   startAt(state, start, model.spinDecay(), path);
   if (model.constant()) return bendBy(model.acceleration(state.v_WB, state.w_WB), path);
-  if (tolerance > kFewPoints)
+  const int degree = pieceDegree(tolerance);
+  if (degree == 5)
     flyThroughAir<4>(model, tolerance, path, step);
-  else if (tolerance > kSomePoints)
+  else if (degree == 7)
     flyThroughAir<6>(model, tolerance, path, step);
   else
     flyThroughAir<8>(model, tolerance, path, step);
@@ -294,6 +296,7 @@ Quaterniond turned(const Quaterniond& q, const Vector3d& w, double s)
 {
   const double speed = w.norm();
   if (speed == 0.0 || s == 0.0) return q;
+  count(Law::Orientation);
   const Vector3d axis = w / speed;
   const double half = 0.5 * speed * s;
   const Quaterniond turn(std::cos(half), std::sin(half) * axis.x(), std::sin(half) * axis.y(),

@@ -383,7 +383,7 @@ void releaseSqueezed(WorldState& world)
     BallRecord& ball = world.balls[i];
     if (!ball.squeezed) continue;
     const BallState state = ball.stateAt(world.time);
-    if (!describeOverlap(world, state.p_WB, ball.params.radius, i).empty()) continue;
+    if (!hasRoom(world, state.p_WB, ball.params.radius, i)) continue;
     ball.squeezed = false;
     planPath(world, ball, state, world.time, world.time);
     foresee(world, i, world.time);

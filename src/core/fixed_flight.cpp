@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "count.h"
 #include "ping_pong_sim/evolve.h"
 
 namespace ping_pong
@@ -10,7 +11,9 @@ namespace
 {
 Vector3d slowed(const Vector3d& w, const FlightModel& model, double h)
 {
-  return model.spinDecay() > 0.0 ? Vector3d(std::exp(-model.spinDecay() * h) * w) : w;
+  if (model.spinDecay() == 0.0) return w;
+  count(Law::SpinDecay);
+  return std::exp(-model.spinDecay() * h) * w;
 }
 }  // namespace
 
@@ -79,6 +82,8 @@ Segment flyRk4(const BallState& state, double start, const FlightModel& model, d
 
 Vector3d turnIn(const Vector3d& w_WB, double spin_decay, double h)
 {
-  return (spin_decay > 0.0 ? -std::expm1(-spin_decay * h) / spin_decay : h) * w_WB;
+  if (spin_decay == 0.0) return h * w_WB;
+  count(Law::SpinDecay);
+  return -std::expm1(-spin_decay * h) / spin_decay * w_WB;
 }
 }  // namespace ping_pong

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "count.h"
 #include "ping_pong_sim/evolve.h"
 #include "ping_pong_sim/fixed_flight.h"
 #include "ping_pong_sim/resolve.h"
@@ -140,6 +141,8 @@ void collideWithBody(WorldState& world, std::size_t b, const BodyFrame& frame, d
   for (BallRecord& ball : world.balls)
     for (std::size_t s = 0; s < body.shapes().size(); ++s)
     {
+      count(meeting(body.shapes()[s].kind));
+      if (body.moving) count(Law::MeetMoving);
       const Vector3d& p_WB = ball.path.c[0];
       const Vector3d p_BQ = body.moving ? Vector3d(frame.R_WB.transpose() * (p_WB - frame.p_WB)) : p_WB;
       if (!clearOf(body.shapes()[s], p_BQ, ball.params.radius)) collideWithShape(world, ball, b, s, frame, t);
@@ -189,6 +192,7 @@ void collidePairs(WorldState& world, double t)
   for (std::size_t i = 0; i < world.balls.size(); ++i)
     for (std::size_t k = i + 1; k < world.balls.size(); ++k)
     {
+      count(Law::PairSearch);
       BallRecord& a = world.balls[i];
       BallRecord& b = world.balls[k];
       const double reach = a.params.radius + b.params.radius;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "count.h"
+
 namespace ping_pong
 {
 namespace
@@ -26,6 +28,7 @@ Place placeIn(const std::vector<double>& nodes, double x)
 
 double tableLift(const LiftLaw& law, double S)
 {
+  count(Law::LiftTable);
   if (S <= law.spin_ratio.front()) return law.values.front() / law.spin_ratio.front();
   const Place at = placeIn(law.spin_ratio, S);
   const std::size_t next = std::min(at.index + 1, law.values.size() - 1);
@@ -44,6 +47,7 @@ double DragLaw::at(double reynolds_number, double spin_ratio_now) const
 {
   const double S2 = spin_ratio_now * spin_ratio_now;
   if (values.empty()) return without_spin + (with_spin - without_spin) * S2 / (S2 + half_at * half_at);
+  count(Law::DragTable);
   const Place row = placeIn(reynolds, reynolds_number);
   const Place column = placeIn(spin_ratio, spin_ratio_now);
   const std::size_t columns = spin_ratio.size();
@@ -84,19 +88,31 @@ double airDensity(double temperature, double altitude)
 
 FlightModel::FlightModel(const Forces& forces, const BallParams& ball) : forces_(&forces), radius_(ball.radius)
 {
+  count(Law::FlightModel);
   const double area = M_PI * ball.radius * ball.radius;
   const double displaced = forces.air_density * 4.0 / 3.0 * area * ball.radius;  // mass of the displaced air [kg]
   const double inertial = ball.mass + (forces.added_mass ? 0.5 * displaced : 0.0);
   const double heavy = ball.mass - (forces.buoyancy ? displaced : 0.0);
   gravity_ = heavy / inertial * forces.gravity;
   drag_ = forces.drag ? 0.5 * forces.air_density * area / inertial : 0.0;
+  spin_ratio_ = (forces.drag && forces.drag_law.feelsSpin()) ||
+                (forces.magnus && forces.lift_law.kind != LiftLaw::Kind::Linear);
   lift_ = forces.magnus ? 0.5 * forces.air_density * area * ball.radius / inertial : 0.0;
+}
+
+// r w, or 0 where no law asks for the spin ratio.
+double FlightModel::rimSpeed(const Vector3d& w_WB) const
+{
+  if (!spin_ratio_) return 0.0;
+  count(Law::SpinRatio);
+  return radius_ * w_WB.norm();
 }
 
 // k_D C_D |u| for speeds through the air and rim speeds r w [1/s]. Without air speed there is no drag.
 template <int N>
 FlightModel::Column<N> FlightModel::dragFactors(const Column<N>& speed, const Column<N>& rim) const
 {
+  count(Law::Drag, N);
   const DragLaw& law = forces_->drag_law;
   if (law.values.empty())
   {
@@ -118,6 +134,7 @@ FlightModel::Column<N> FlightModel::dragFactors(const Column<N>& speed, const Co
 template <int N>
 FlightModel::Column<N> FlightModel::liftFactors(const Column<N>& speed, const Column<N>& rim) const
 {
+  count(Law::Lift, N);
   const LiftLaw& law = forces_->lift_law;
   if (law.kind == LiftLaw::Kind::Linear) return Column<N>::Constant(lift_ * law.slope);
   if (law.kind == LiftLaw::Kind::Saturating)
@@ -136,7 +153,7 @@ FlightModel::Rows<N> FlightModel::accelerations(const Rows<N>& v_WB, const Vecto
   const Column<N> y = v_WB.col(1).array() - wind.y();
   const Column<N> z = v_WB.col(2).array() - wind.z();
   const Column<N> speed = (x * x + y * y + z * z).sqrt();
-  const Column<N> rim = radius_ * w_WB.norm() * fade;
+  const Column<N> rim = rimSpeed(w_WB) * fade;
   Rows<N> a = gravity_.transpose().template replicate<N, 1>();
   if (forces_->drag)
   {
@@ -161,10 +178,14 @@ template FlightModel::Rows<8> FlightModel::accelerations<8>(const Rows<8>&, cons
 
 Vector3d FlightModel::acceleration(const Vector3d& v_WB, const Vector3d& w_WB) const
 {
-  if (constant()) return gravity_;
+  if (constant())
+  {
+    count(Law::ConstantAcceleration);
+    return gravity_;
+  }
   const Vector3d u = v_WB - forces_->wind;
   const Column<1> speed(u.norm());
-  const Column<1> rim(radius_ * w_WB.norm());
+  const Column<1> rim(rimSpeed(w_WB));
   Vector3d a = gravity_;
   if (forces_->drag) a -= dragFactors<1>(speed, rim)[0] * u;
   if (forces_->magnus) a += liftFactors<1>(speed, rim)[0] * w_WB.cross(u);
@@ -177,7 +198,7 @@ std::size_t FlightModel::smoothRegion(const Vector3d& v_WB, const Vector3d& w_WB
     return static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
   };
   const double speed = (v_WB - forces_->wind).norm();
-  const double S = radius_ * w_WB.norm() / speed;
+  const double S = rimSpeed(w_WB) / speed;
   std::size_t region = 0;
   if (forces_->drag && !forces_->drag_law.values.empty())
   {
@@ -194,11 +215,10 @@ double FlightModel::rate(const Vector3d& v_WB, const Vector3d& w_WB) const
 {
   const Vector3d u = v_WB - forces_->wind;
   const Column<1> speed(u.norm() + 0.1 * gravity_.norm());  // it will be that fast soon
-  const double spin = w_WB.norm();
-  const Column<1> rim(radius_ * spin);
+  const Column<1> rim(rimSpeed(w_WB));
   double rate = 1e-3;
   if (forces_->drag) rate += 2.0 * dragFactors<1>(speed, rim)[0];
-  if (forces_->magnus) rate += liftFactors<1>(speed, rim)[0] * spin;
+  if (forces_->magnus) rate += liftFactors<1>(speed, rim)[0] * w_WB.norm();
   return rate;
 }
 }  // namespace ping_pong

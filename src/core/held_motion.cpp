@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "count.h"
+
 namespace ping_pong
 {
 namespace
@@ -19,8 +21,7 @@ Vector3d tangential(const Vector3d& x, const Vector3d& n)
 
 Vector3d normalOf(const Place& place, const Vector3d& p_WB)
 {
-  return place.frame.R_WB *
-         proximity(place.shape, place.frame.R_WB.transpose() * (p_WB - place.frame.p_WB)).normal;
+  return place.frame.R_WB * proximity(place.shape, place.frame.R_WB.transpose() * (p_WB - place.frame.p_WB)).normal;
 }
 
 Vector3d limited(const Vector3d& f, double most)
@@ -43,32 +44,43 @@ void push(HeldMotion& motion, const BallParams& ball, const Vector3d& n, const V
   motion.alpha -= n.cross(f) / (ball.inertia * ball.radius);
 }
 
-// Resistance to rolling and to spin about the normal; both end at zero speed, which `until_grip` tells.
+void resistRolling(HeldMotion& motion, const Place& place, const BallParams& ball, const BallState& state,
+                   const Vector3d& n, double load)
+{
+  count(Law::RollingResistance);
+  const Vector3d v = tangential(state.v_WB - place.frame.pointVelocity(state.p_WB - ball.radius * n), n);
+  const double speed = v.norm();
+  if (speed <= kNoSlip) return;
+  const Vector3d a = -place.law.rolling_resistance * load / speed * v;
+  motion.a += a;
+  motion.alpha += n.cross(a) / ball.radius;  // rolling stays rolling
+  motion.until_grip = std::min(motion.until_grip, speed / a.norm());
+}
+
+// About the normal.
+void resistSpin(HeldMotion& motion, const Place& place, const BallParams& ball, const BallState& state,
+                const Vector3d& n, double load)
+{
+  count(Law::SpinFriction);
+  const double spin = n.dot(state.w_WB);
+  if (std::abs(spin) <= kNoSlip) return;
+  const double rate = place.law.spin_friction * load / (ball.inertia * ball.radius);
+  motion.alpha -= std::copysign(rate, spin) * n;
+  motion.until_grip = std::min(motion.until_grip, std::abs(spin) / rate);
+}
+
+// Both end at zero speed, which `until_grip` tells.
 void resist(HeldMotion& motion, const Place& place, const BallParams& ball, const BallState& state, const Vector3d& n,
             double load)
 {
-  const Vector3d v =
-      tangential(state.v_WB - place.frame.pointVelocity(state.p_WB - ball.radius * n), n);
-  const double speed = v.norm();
-  if (place.law.rolling_resistance > 0.0 && speed > kNoSlip)
-  {
-    const Vector3d a = -place.law.rolling_resistance * load / speed * v;
-    motion.a += a;
-    motion.alpha += n.cross(a) / ball.radius;  // rolling stays rolling
-    motion.until_grip = std::min(motion.until_grip, speed / a.norm());
-  }
-  const double spin = n.dot(state.w_WB);
-  if (place.law.spin_friction > 0.0 && std::abs(spin) > kNoSlip)
-  {
-    const double rate = place.law.spin_friction * load / (ball.inertia * ball.radius);
-    motion.alpha -= std::copysign(rate, spin) * n;
-    motion.until_grip = std::min(motion.until_grip, std::abs(spin) / rate);
-  }
+  if (place.law.rolling_resistance > 0.0) resistRolling(motion, place, ball, state, n, load);
+  if (place.law.spin_friction > 0.0) resistSpin(motion, place, ball, state, n, load);
 }
 
 void rubOnOne(HeldMotion& motion, const Place& place, const BallParams& ball, const BallState& state, double load,
               double grip_time)
 {
+  count(Law::Friction);
   const Vector3d n = normalOf(place, state.p_WB);
   const Vector3d slip = slipOver(place, ball, state);
   const double speed = slip.norm();
@@ -100,6 +112,7 @@ Place placeOf(const WorldState& world, const BallRecord& ball, std::size_t suppo
 
 Vector3d slipOver(const Place& place, const BallParams& ball, const BallState& state)
 {
+  count(Law::Slip);
   const Vector3d n = normalOf(place, state.p_WB);
   const Vector3d u = place.frame.pointVelocity(state.p_WB - ball.radius * n);
   return tangential(state.v_WB - u, n) - ball.radius * state.w_WB.cross(n);
@@ -115,8 +128,7 @@ Vector3d smoothAcceleration(const WorldState& world, const BallRecord& ball, con
     bounds.list[i].n = normalOf(place, state.p_WB);
     bounds.list[i].b = -gapAcceleration(place.shape, place.frame, state.p_WB, state.v_WB, Vector3d::Zero());
   }
-  const FlightModel model(world.scene.forces, ball.params);
-  return constrainedAcceleration(model.acceleration(state.v_WB, state.w_WB), bounds);
+  return constrainedAcceleration(ball.model.acceleration(state.v_WB, state.w_WB), bounds);
 }
 
 HeldMotion heldMotion(const WorldState& world, const BallRecord& ball, const BallState& state, double t,
@@ -124,8 +136,6 @@ HeldMotion heldMotion(const WorldState& world, const BallRecord& ball, const Bal
 {
   HeldMotion motion;
   motion.a = smoothAcceleration(world, ball, state, t, bounds);
-  const FlightModel model(world.scene.forces, ball.params);
-  Vector3d rubbed = model.acceleration(state.v_WB, state.w_WB);
   std::size_t loaded = 0;
   bool rough = false;
   for (std::size_t i = 0; i < bounds.count; ++i)
@@ -135,6 +145,8 @@ HeldMotion heldMotion(const WorldState& world, const BallRecord& ball, const Bal
     rough |= placeOf(world, ball, i, t).law.friction > 0.0;
   }
   if (!rough) return motion;
+  Vector3d rubbed = Vector3d::Zero();
+  if (loaded > 1) rubbed = ball.model.acceleration(state.v_WB, state.w_WB);
   // Friction must not turn the slip round within a step of the integration.
   const double fastest = 0.5 / ((1.0 + 1.0 / ball.params.inertia) * (grip_time > 0.0 ? grip_time : kStep));
   for (std::size_t i = 0; i < bounds.count; ++i)
@@ -146,6 +158,8 @@ HeldMotion heldMotion(const WorldState& world, const BallRecord& ball, const Bal
       rubOnOne(motion, place, ball.params, state, bounds.load[i], grip_time);
       return motion;
     }
+    if (!(place.law.friction > 0.0)) continue;
+    count(Law::Friction);
     const Vector3d slip = slipOver(place, ball.params, state);
     const double rate = place.law.friction * bounds.load[i] / std::max(slip.norm(), kSoftSlip);
     const Vector3d f = -std::min(rate, fastest) * slip;

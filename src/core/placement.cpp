@@ -13,7 +13,8 @@ struct Overlap
 {
   double gap = kNever;  // smallest gap, negative in overlap [m]
   Vector3d n_W = Vector3d::UnitZ();
-  std::string with;
+  const BodyRecord* body = nullptr;  // with this, or else with a ball
+  BallId ball = 0;
 };
 
 void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, Overlap& deepest)
@@ -24,7 +25,7 @@ void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, 
     for (const Shape& shape : body.shapes())
     {
       const Gap gap = gapTo(shape, frame, p_WB, Vector3d::Zero(), radius);
-      if (gap.gap < deepest.gap) deepest = {gap.gap, gap.n_W, body.body.name};
+      if (gap.gap < deepest.gap) deepest = {gap.gap, gap.n_W, &body, 0};
     }
   }
 }
@@ -40,7 +41,7 @@ void lookAtBalls(const WorldState& world, const Vector3d& p_WB, double radius, s
     const double gap = distance - radius - other.params.radius;
     if (gap >= deepest.gap) continue;
     const Vector3d n = distance > 0.0 ? Vector3d(d / distance) : Vector3d(Vector3d::UnitZ());
-    deepest = {gap, n, "ball_" + std::to_string(other.id)};
+    deepest = {gap, n, nullptr, other.id};
   }
 }
 
@@ -64,12 +65,17 @@ bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, std::size_t
   return false;
 }
 
+bool hasRoom(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
+{
+  return deepestOverlap(world, p_WB, radius, except).gap >= -kTouching;
+}
+
 std::string describeOverlap(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
 {
   const Overlap deepest = deepestOverlap(world, p_WB, radius, except);
   if (deepest.gap >= -kTouching) return {};
   char depth[64];
   std::snprintf(depth, sizeof depth, " (%.3g mm deep)", -1e3 * deepest.gap);
-  return deepest.with + depth;
+  return (deepest.body != nullptr ? deepest.body->body.name : "ball_" + std::to_string(deepest.ball)) + depth;
 }
 }  // namespace ping_pong

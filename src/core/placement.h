@@ -9,6 +9,9 @@ namespace ping_pong
 /// that does not count.
 bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, std::size_t except);
 
+/// Whether a ball at this place overlaps nothing by more than 1e-9 m. `except` is a ball that does not count.
+bool hasRoom(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except);
+
 /// What a ball at this place would overlap by more than 1e-9 m: "table (3.2 mm deep)"; empty if nothing. `except` is a ball
 /// that does not count.
 std::string describeOverlap(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except = kNone);

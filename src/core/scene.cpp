@@ -20,6 +20,8 @@ const char* name(Method method)
       return "rk4_located";
     case Method::Exact:
       return "exact";
+    case Method::Auto:
+      return "auto";
   }
   return "unknown";
 }
@@ -27,14 +29,15 @@ const char* name(Method method)
 std::string methodNames()
 {
   std::string names;
-  for (const Method method : kMethods) names += (names.empty() ? "" : ", ") + std::string(name(method));
-  return names;
+  for (const Method method : kMethods) names += std::string(name(method)) + ", ";
+  return names + name(Method::Auto);
 }
 
 Method methodFromName(const std::string& text)
 {
   for (const Method method : kMethods)
     if (text == name(method)) return method;
+  if (text == name(Method::Auto)) return Method::Auto;
   throw std::invalid_argument("expected one of: " + methodNames());
 }
 }  // namespace ping_pong

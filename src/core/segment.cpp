@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "count.h"
 #include "ping_pong_sim/evolve.h"
 #include "ping_pong_sim/fixed_flight.h"
 
@@ -33,6 +34,7 @@ Vector3d Segment::acceleration(double s) const
 
 Vector3d Segment::spin(double s) const
 {
+  if (spin_decay > 0.0) count(Law::SpinDecay);
   const Vector3d w = spin_decay > 0.0 ? Vector3d(std::exp(-spin_decay * s) * w_WB) : w_WB;
   return w + s * alpha_WB;
 }

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "count.h"
 #include "exact_method.h"
 #include "fixed_step.h"
+#include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/drive.h"
 #include "placement.h"
 #include "world_state.h"
@@ -15,7 +17,10 @@ namespace
 // Paddles that move are given a new motion at least so often, however long the tick.
 constexpr double kLongestMotion = 5e-3;  // [s]
 
-constexpr std::size_t kContactsInATick = 64;  // room for so many and one a ball
+// Room for so many records from the start, more than a crush between paddle and table makes. Whoever lets more happen in
+// one tick makes the records grow, once: they keep what they have.
+constexpr std::size_t kContactsInATick = 256;
+constexpr std::size_t kContactsOfABall = 8;
 
 std::string refuseState(const BallState& state)
 {
@@ -32,10 +37,23 @@ std::string refusePose(const Pose& pose)
   if (!(std::abs(pose.q.norm() - 1.0) < 1e-6)) return "orientation: expected a quaternion of length 1";
   return {};
 }
+
 BallState normalized(BallState state)
 {
   state.q_WB.normalize();
   return state;
+}
+
+// Every shape of the largest paddle near every shape of all furniture.
+std::size_t mostNearPairs(const std::vector<BodyRecord>& bodies)
+{
+  std::size_t paddle = 0, furniture = 0;
+  for (const BodyRecord& body : bodies)
+    if (body.body.kind == BodyKind::Static)
+      furniture += body.body.shapes.size();
+    else
+      paddle = std::max(paddle, body.body.shapes.size());
+  return paddle * furniture;
 }
 }  // namespace
 
@@ -44,7 +62,8 @@ struct World::Impl : WorldState
   Scene loaded;
   BallId next_id = 0;
   double time_rest = 0.0;  // what rounding took from time: N ticks of h end at N h
-  std::vector<Obstacle> obstacles;  // of the window: kept, so that no step allocates
+  std::vector<Obstacle> obstacles;  // of the window; this and the next are kept, so that no step allocates
+  std::vector<ShapePair> near_obstacles;
 
   void start();
   BallRecord& add(const BallParams& params, const BallState& state);
@@ -59,6 +78,7 @@ struct World::Impl : WorldState
 void World::Impl::start()
 {
   scene = loaded;
+  scene.method = chooseMethod(loaded).method;
   time = time_rest = 0.0;
   next_id = 0;
   contacts.clear();
@@ -89,9 +109,10 @@ BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
 
 void World::Impl::plan()
 {
-  contacts.reserve(kContactsInATick + balls.size());
+  contacts.reserve(kContactsInATick + kContactsOfABall * balls.size());
   contact_of.reserve(contacts.capacity());
   obstacles.reserve(bodies.size());
+  near_obstacles.reserve(mostNearPairs(bodies));
   if (locatesContacts(scene.method)) restartExact(*this);
 }
 
@@ -127,8 +148,9 @@ double World::Impl::movePaddles(double end)
   for (BodyRecord& body : bodies)
   {
     if (!atWork(body)) continue;
+    count(Law::PaddleMotion);
     const BodyMotion wanted = followCommand(body.command, body.body.limits, body.motion, time, h);
-    const BlockedMotion allowed = stopAtObstacles(body.body.shapes, wanted, h, obstacles);
+    const BlockedMotion allowed = stopAtObstacles(body.body.shapes, wanted, h, obstacles, near_obstacles);
     body.motion = allowed.motion;
     h = std::min(h, allowed.duration);
     status.blocked_paddles += allowed.blocked;
@@ -164,7 +186,7 @@ void World::Impl::makeRoom()
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     BallState state = balls[i].stateAt(time);
-    if (describeOverlap(*this, state.p_WB, balls[i].params.radius, i).empty()) continue;
+    if (hasRoom(*this, state.p_WB, balls[i].params.radius, i)) continue;
     const bool room = pushOut(*this, state.p_WB, balls[i].params.radius, i);
     if (room)
       balls[i].path = flyParabola(state, time, Vector3d::Zero());
@@ -219,6 +241,7 @@ StepStatus World::advance(double duration)
 
 double World::time() const { return impl_->time; }
 const Scene& World::scene() const { return impl_->loaded; }
+Method World::method() const { return impl_->scene.method; }
 const std::vector<Contact>& World::contacts() const { return impl_->contacts; }
 
 std::size_t World::ballCount() const { return impl_->balls.size(); }

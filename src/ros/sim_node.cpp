@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ping_pong_sim/choose_method.h"
 #include "services.h"
 
 namespace ping_pong_sim
@@ -27,6 +28,14 @@ ros::NodeHandle onQueue(ros::NodeHandle nh, ros::CallbackQueue& queue)
   nh.setCallbackQueue(&queue);
   return nh;
 }
+
+void logScene(const ping_pong::World& world, const std::string& more = "")
+{
+  const ping_pong::Scene& scene = world.scene();
+  ROS_INFO_STREAM("scene " << scene.name << ", method " << ping_pong::name(world.method()) << more);
+  if (scene.method == ping_pong::Method::Auto)
+    ROS_INFO_STREAM("method auto takes " << ping_pong::chooseMethod(scene).reason);
+}
 }  // namespace
 
 SimNode::SimNode()
@@ -47,8 +56,7 @@ SimNode::SimNode()
     clock_ = nh_.advertise<rosgraph_msgs::Clock>("/clock", 10, true);
   else if (params_.real_time_factor != 1.0)
     ROS_WARN("real_time_factor is not 1 and /use_sim_time is not set: stamps will leave wall time");
-  ROS_INFO_STREAM("scene " << simulation_.world().scene().name << ", method "
-                           << ping_pong::name(simulation_.world().scene().method) << (paused_ ? ", paused" : ""));
+  logScene(simulation_.world(), paused_ ? ", paused" : "");
 }
 
 SimNode::~SimNode()
@@ -186,7 +194,7 @@ void SimNode::load(const ping_pong::Scene& scene)
   markers_.forgetPast();
   markers_.publishBodies();
   showJump(true);
-  ROS_INFO_STREAM("scene " << scene.name << ", method " << ping_pong::name(scene.method));
+  logScene(simulation_.world());
 }
 
 void SimNode::showJump(bool bodies_too)

@@ -71,7 +71,7 @@ void StatusPublisher::fill()
   message_.header.stamp = simulation_.clock().now();
   message_.header.frame_id = "world";
   message_.scene = world.scene().name;
-  message_.method = ping_pong::name(world.scene().method);
+  message_.method = ping_pong::name(world.method());
   message_.paused = paused_;
   message_.time = world.time();
   message_.tick = simulation_.clock().tick();

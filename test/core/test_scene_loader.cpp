@@ -243,10 +243,16 @@ TEST_F(SceneLoader, NeedsLittle)
   const Scene scene = load("balls: [{position: [0, 0, 1]}]\n");
   EXPECT_EQ(scene.name, "scene");  // the file's
   EXPECT_EQ(scene.forces.gravity, Vector3d::Zero());
-  EXPECT_EQ(scene.method, Method::Exact);
+  EXPECT_EQ(scene.method, Method::Auto);
   EXPECT_EQ(scene.materials, std::vector<std::string>{"ball"});
   EXPECT_EQ(scene.balls.at(0).params.material, 0);
   EXPECT_EQ(load("{}").balls.size(), 0u);
+}
+
+TEST_F(SceneLoader, TakesEveryMethodByName)
+{
+  for (const Method method : kMethods) EXPECT_EQ(load("method: " + std::string(name(method))).method, method);
+  EXPECT_EQ(load("method: auto").method, Method::Auto);
 }
 
 TEST_F(SceneLoader, TakesGravityAsAVector)
@@ -545,7 +551,8 @@ const BadScene kBadScenes[] = {
     {"no pair", "pair: [any, any], ", "", 29, "surfaces[3].pair", "missing", "two materials [a, b]"},
     {"no such file", "box.urdf", "../no.urdf", 6, "bodies[0].urdf", "../no.urdf", "a readable URDF file, but /"},
     // words
-    {"method", "euler_semi_implicit", "magic", 30, "method", "magic", "one of"},
+    {"method", "euler_semi_implicit", "magic", 30, "method", "magic",
+     "one of: euler_explicit, euler_semi_implicit, verlet, rk4, rk4_located, exact, auto"},
     {"kind", "kind: static", "kind: dynamic", 7, "bodies[0].kind", "dynamic", "static or kinematic"},
     {"limits of furniture", "    kind: static\n", "    kind: static\n    limits: {}\n", 8, "bodies[0].limits", "a map",
      "no limits unless"},

@@ -141,6 +141,18 @@ TEST(Simulate, TakesAnotherMethodAndStep)
   EXPECT_NEAR(number(lines(euler.out).at(2), 4), expected, 1e-12);
 }
 
+TEST(Simulate, SaysWhatAutoTakesAndWhy)
+{
+  const std::string arguments = shipped("arc") + " --duration 0.2";
+  const Output automatic = simulate(arguments + " --method auto");
+  const std::vector<std::string> summary = lines(automatic.err);
+  ASSERT_EQ(summary.size(), 6u) << automatic.err;
+  EXPECT_EQ(summary[0], "scene arc, method exact, 1 balls, 0.2 s simulated");
+  const std::string start = "auto takes exact: flight in closed form, since no force but gravity acts; one ball";
+  EXPECT_EQ(summary[1].rfind(start, 0), 0u) << summary[1];
+  EXPECT_EQ(automatic.out, simulate(arguments).out);
+}
+
 TEST(Simulate, TakesAnotherTolerance)
 {
   const std::string arguments = shipped("arc_air") + " --duration 0.5 --rate 2";
@@ -193,6 +205,7 @@ TEST(Simulate, ExplainsItself)
   for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--contacts"})
     EXPECT_NE(output.out.find(option), std::string::npos) << option;
   for (const Method method : kMethods) EXPECT_NE(output.out.find(name(method)), std::string::npos) << name(method);
+  EXPECT_NE(output.out.find("auto"), std::string::npos);
 }
 
 TEST(Simulate, RefusesBadInputWithOneLineAndStatusTwo)
