@@ -52,6 +52,7 @@ foreach(name
     cradle
     corner
     same_bits
+    islands
     edges
     grazing
     resting

@@ -84,6 +84,8 @@ public:
   Rows<N> accelerations(const Rows<N>& v_WB, const Vector3d& w_WB, const Column<N>& fade) const;
   /// Where the acceleration is constant, flight has a closed form.
   bool constant() const { return !forces_->dependOnVelocity(); }
+  /// Velocity through the air [m/s].
+  Vector3d throughAir(const Vector3d& v_WB) const { return v_WB - forces_->wind; }
   /// Laws from tables have a kink at each node: between kinks this number stays the same. 0 without tables.
   std::size_t smoothRegion(const Vector3d& v_WB, const Vector3d& w_WB) const;
   bool smooth() const { return forces_->drag_law.values.empty() && forces_->lift_law.kind != LiftLaw::Kind::Table; }

@@ -26,8 +26,14 @@ struct Segment
   Vector3d a_low = Vector3d::Zero();                           ///< bounds of each component of the acceleration on the
   Vector3d a_high = Vector3d::Zero();                          ///< whole piece, see boundAcceleration() [m/s^2]
 
-  Vector3d position(double s) const;
-  Vector3d velocity(double s) const;
+  Vector3d position(double s) const
+  {
+    return degree == 2 ? Vector3d(c[0] + s * (c[1] + s * c[2])) : positionOnPolynomial(s);
+  }
+  Vector3d velocity(double s) const
+  {
+    return degree == 2 ? Vector3d(c[1] + (2.0 * s) * c[2]) : velocityOnPolynomial(s);
+  }
   Vector3d acceleration(double s) const;
   Vector3d spin(double s) const;
   BallState state(double s) const;
@@ -39,6 +45,8 @@ struct Segment
   double speedBound(double from, double to) const { return velocity(from).norm() + (to - from) * accelerationBound(); }
 
 private:
+  Vector3d positionOnPolynomial(double s) const;
+  Vector3d velocityOnPolynomial(double s) const;
   static std::array<Vector3d, kMaxDegree + 1> zeros();
 };
 }  // namespace ping_pong

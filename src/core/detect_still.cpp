@@ -28,32 +28,24 @@ double curvatureScalar(const double* c, int degree, double s)
   return sum;
 }
 
-// A parabola above a plane: the first step of the walk is the answer. False if rounding leaves it to the walk itself.
-bool fallsOnPlane(const Segment& path, double radius, const Vector3d& n, const Shape& shape, double from, double until,
-                  Detection& found)
+// A parabola above a plane.
+Detection fallOnPlane(const Segment& path, double radius, const Vector3d& n, const Shape& shape, double from, double until)
 {
-  const double a = 2.0 * n.dot(path.c[2]);
-  const double s = from - path.start;
-  const double u = n.dot(path.c[1]);
-  const double rate = u + a * s;
   const double height = n.dot(path.c[0] - shape.p_BS) - radius;
-  const double gap = height + (u + 0.5 * a * s) * s;
-  const double tolerance = touchTolerance(path.c[0], radius);
-  if (gap <= tolerance && rate <= kNoHopSpeed) return false;
-  const double t = from + safeStep(std::max(gap, 0.0), rate, a);
-  if (!(t <= until)) return true;
-  const double s_hit = t - path.start;
-  if (height + (u + 0.5 * a * s_hit) * s_hit > tolerance || !(u + a * s_hit < -kNoClosingSpeed)) return false;
-  found.time = t;
-  return true;
+  const double u = n.dot(path.c[1]);
+  const double half_a = n.dot(path.c[2]);
+  const auto at = [&](double t) {
+    const double s = t - path.start;
+    return Look{height + (u + half_a * s) * s, u + 2.0 * half_a * s, 2.0 * half_a};
+  };
+  return march(at, [&](double) { return half_a < 0.0; }, from, until, touchTolerance(path.position(from - path.start), radius));
 }
 
 // Only the height above the plane matters.
 Detection meetPlane(const Segment& path, double radius, const Shape& shape, double from, double until)
 {
   const Vector3d n = shape.R_BS.col(2);
-  Detection found;
-  if (path.degree == 2 && fallsOnPlane(path, radius, n, shape, from, until, found)) return found;
+  if (path.degree == 2) return fallOnPlane(path, radius, n, shape, from, until);
   double height[Segment::kMaxDegree + 1];
   height[0] = n.dot(path.c[0] - shape.p_BS) - radius;
   for (int k = 1; k <= path.degree; ++k) height[k] = n.dot(path.c[k]);

@@ -19,6 +19,7 @@ void startAt(const BallState& state, double start, double spin_decay, Segment& p
   path.c[0] = state.p_WB;
   path.c[1] = state.v_WB;
   path.q_WB = state.q_WB;
+  path.turn_WB.setZero();
   path.w_WB = state.w_WB;
   path.alpha_WB.setZero();
   path.spin_decay = spin_decay;
@@ -98,8 +99,9 @@ struct Points
   }
 };
 
-// Where the coefficients fall fast, the error is this part of the last one's share or less, with a reserve of ten.
-constexpr double kShareOfLast = 1e-2;
+// Where the coefficients fall fast, the error is this part of the last one's share or less.
+template <int N>
+constexpr double kShareOfLast = N < 6 ? 2e-2 : 1e-2;
 constexpr double kSweepsShare = 0.1;   // of the tolerance, left to the sweeps
 constexpr int kMaxSweeps = 40;
 constexpr double kLongestPiece = 1.0;  // [s]
@@ -120,20 +122,40 @@ double errorOf(const typename FlightModel::Rows<N>& a, double h, const Points<N>
   if (!(fall > 0.0)) return 0.0;
   const double rho2 = std::min(1.0, last == 3 ? std::sqrt(fall / before) : fall / before);
   const double rough = std::min(1.0, 16.0 * rho2 * rho2);  // 1 from rho = 1/2 on
-  return h * std::sqrt(std::max(b3, rho2 * b2)) * (std::max(kShareOfLast, rough) * h + rough * rough * kRally);
+  return h * std::sqrt(std::max(b3, rho2 * b2)) * (std::max(kShareOfLast<N>, rough) * h + rough * rough * kRally);
 }
 
-// Velocities at the nodes to begin with: a0 and how the acceleration changes along it.
+// Velocities at the nodes to begin with: of the piece that was too long, or from a0 and how the acceleration changes along it.
 template <int N>
 typename FlightModel::Rows<N> firstGuess(const FlightModel& model, const Segment& path, double h, const Points<N>& points)
 {
+  typename FlightModel::Rows<N> v;
+  if (path.degree == N + 1)
+  {
+    for (int i = 0; i < N; ++i) v.row(i) = path.velocity(h * points.nodes[i]).transpose();
+    return v;
+  }
   const Vector3d& v0 = path.c[1];
   const Vector3d a0 = model.acceleration(v0, path.w_WB);
   const Vector3d half_change = model.acceleration(v0 + 0.5 * h * a0, path.w_WB) - a0;
   const auto s = points.nodes;
-  return (v0 * Eigen::Matrix<double, 1, N>::Ones() + h * a0 * s.transpose() +
-          h * half_change * s.cwiseAbs2().transpose())
-      .transpose();
+  for (int c = 0; c < 3; ++c) v.col(c) = v0[c] + h * s.array() * (a0[c] + half_change[c] * s.array());
+  return v;
+}
+
+// The polynomial through the accelerations at the nodes.
+template <int N>
+void layThrough(const typename FlightModel::Rows<N>& a, double h, const Points<N>& points, Segment& path)
+{
+  const typename FlightModel::Rows<N> b = points.to_powers * a;
+  path.degree = N + 1;
+  double power = h;  // h^2 / h^k, as the coefficients are of tau = s / h
+  for (int k = 0; k < N; ++k)
+  {
+    path.c[k + 2] = b.row(k).transpose() * (h / power / ((k + 1) * (k + 2)));
+    power *= h;
+  }
+  path.end = path.start + h;
 }
 
 // One piece of length h; false if its error is above the tolerance. `excess` is error / tolerance.
@@ -144,7 +166,7 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
   using Rows = FlightModel::Rows<N>;
   const Vector3d& v0 = path.c[1];
   FlightModel::Column<N> fade = FlightModel::Column<N>::Ones();
-  count(N == 4 ? Law::Collocation5 : Law::Collocation9);
+  count(N == 4 ? Law::Collocation5 : N == 6 ? Law::Collocation7 : Law::Collocation9);
   if (path.spin_decay > 0.0) count(Law::SpinDecay, N);
   if (path.spin_decay > 0.0) fade = (-path.spin_decay * h * points.nodes.array()).exp();
   Rows v = firstGuess<N>(model, path, h, points);
@@ -162,62 +184,87 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
     if (change * std::min(1.0, change / before) <= kSweepsShare * tolerance || change <= rounding) break;
     if (sweep == kMaxSweeps || !(change < 1e6))
     {
+      path.degree = 0;
       excess = 1e6;
       return false;
     }
     before = change;
   }
   excess = errorOf<N>(a, h, points) / tolerance;
-  if (excess > 1.0) return false;
-  const Rows b = points.to_powers * a;
-  path.degree = N + 1;
-  double power = h;  // h^2 / h^k, as the coefficients are of tau = s / h
-  for (int k = 0; k < N; ++k)
-  {
-    path.c[k + 2] = b.row(k).transpose() * (h / power / ((k + 1) * (k + 2)));
-    power *= h;
-  }
-  path.end = path.start + h;
-  return true;
+  layThrough<N>(a, h, points, path);
+  return excess <= 1.0;
 }
 
-// Where on this piece a law from a table has its first kink; kNoKink if nowhere.
-double firstKink(const FlightModel& model, const Segment& path)
+constexpr double kTooSoon = 1e-7;  // a kink that close to the start is the one that the last piece ended at [s]
+
+// First time on the piece at which `beyond` is true, which is false at its start: to 1e-12 s, if some look sees it.
+template <typename Beyond>
+double firstBeyond(const Beyond& beyond, double h, int looks)
 {
-  constexpr int kLooks = 16;
-  constexpr double kTooSoon = 1e-7;  // a kink that close to the start is the one that the last piece ended at [s]
-  const auto region = [&](double s) { return model.smoothRegion(path.velocity(s), path.spin(s)); };
-  const double h = path.end - path.start;
-  const std::size_t here = region(std::min(kTooSoon, h));
-  for (int i = 1; i <= kLooks; ++i)
+  for (int i = 1; i <= looks; ++i)
   {
-    double after = h * i / kLooks;
-    if (region(after) == here) continue;
-    for (double before = h * (i - 1) / kLooks; after - before > 1e-12;)
+    double after = h * i / looks;
+    if (!beyond(after)) continue;
+    for (double before = h * (i - 1) / looks; after - before > 1e-12;)
     {
       const double middle = 0.5 * (before + after);
-      (region(middle) == here ? before : after) = middle;
+      (beyond(middle) ? after : before) = middle;
     }
     return after > kTooSoon ? after : kNoKink;
   }
   return kNoKink;
 }
 
+// Where on this piece a law from a table has its first kink.
+double firstNode(const FlightModel& model, const Segment& path)
+{
+  constexpr int kLooks = 16;
+  const auto region = [&](double s) { return model.smoothRegion(path.velocity(s), path.spin(s)); };
+  const double h = path.end - path.start;
+  const std::size_t here = region(std::min(kTooSoon, h));
+  return firstBeyond([&](double s) { return region(s) != here; }, h, kLooks);
+}
+
+// Where on this piece the ball turns round at hardly any air speed: drag, as |u| u, has a kink there, or nearly one.
+double sharpTurn(const FlightModel& model, const Segment& path)
+{
+  constexpr double kSharp = 0.1;
+  const double h = path.end - path.start;
+  const double change = h * path.acceleration(0.0).norm();
+  // It cannot become slower than half of this sum less its change on the way.
+  const double speeds = model.throughAir(path.c[1]).norm() + model.throughAir(path.velocity(h)).norm();
+  if (speeds > (1.0 + 2.0 * kSharp) * change) return kNoKink;
+  const auto gains = [&](double s) { return model.throughAir(path.velocity(s)).dot(path.acceleration(s)) > 0.0; };
+  if (gains(kTooSoon) || !gains(h)) return kNoKink;
+  const double turn = firstBeyond(gains, h, 1);
+  const double speed = turn < h ? model.throughAir(path.velocity(turn)).norm() : kNoKink;
+  return speed < kSharp * h * path.acceleration(turn).norm() ? turn : kNoKink;
+}
+
+double firstKink(const FlightModel& model, const Segment& path)
+{
+  const double turn = sharpTurn(model, path);
+  return model.smooth() ? turn : std::min(turn, firstNode(model, path));
+}
+
 template <int N>
 void flyThroughAir(const FlightModel& model, double tolerance, Segment& path, double& step)
 {
-  constexpr int kCuts = 4;
+  constexpr int kCuts = 8;
   double h = step > 0.0 ? step : std::pow(tolerance, 1.0 / (N + 1)) / model.rate(path.c[1], path.w_WB);
   h = std::min(h, kLongestPiece);
+  path.degree = 0;
   double excess = 1.0;
   for (int cuts = 0;;)
   {
     if (!collocate<N>(model, h, tolerance, path, excess))
+    {
       h *= std::max(0.1, 0.8 * std::pow(excess, -1.0 / N));
-    else if (model.smooth() || cuts++ == kCuts || firstKink(model, path) >= h * (1.0 - 1e-9))
-      break;
-    else
-      h = firstKink(model, path);
+      continue;
+    }
+    const double kink = cuts++ < kCuts ? firstKink(model, path) : kNoKink;
+    if (kink >= h * (1.0 - 1e-9)) break;
+    h = kink;
   }
   step = h * std::min(2.0, 0.8 * std::pow(std::max(excess, 1e-6), -1.0 / N));
 }
@@ -235,8 +282,11 @@ void fly(const BallState& state, double start, const FlightModel& model, double 
 {
   startAt(state, start, model.spinDecay(), path);
   if (model.constant()) return bendBy(model.acceleration(state.v_WB, state.w_WB), path);
-  if (pieceDegree(tolerance) == 5)
+  const int degree = pieceDegree(tolerance);
+  if (degree == 5)
     flyThroughAir<4>(model, tolerance, path, step);
+  else if (degree == 7)
+    flyThroughAir<6>(model, tolerance, path, step);
   else
     flyThroughAir<8>(model, tolerance, path, step);
   path.boundAcceleration();

@@ -43,13 +43,23 @@ void countStreak(BallRecord& ball, double t)
 
 constexpr double kFromTheStart = -kNever;
 
-void foreseeAll(WorldState& world, const Window& window, std::size_t i, double t, double resume = kFromTheStart)
+void foreseeBalls(WorldState& world, const Window& window, std::size_t i, double resume = kFromTheStart)
+{
+  world.balls[i].next_ball = Event();
+  for (std::size_t m = 0; m < window.count; ++m)
+    if (window.members[m] != i) foreseeBall(world, i, window.members[m], resume, window.end);
+}
+
+void foreseeBodies(WorldState& world, const Window& window, std::size_t i, double t)
 {
   foresee(world, i, t);
   if (world.any_moving) foreseeMoving(world, i, t, window.smooth_until);
-  if (window.count > 1) world.balls[i].next_ball = Event();
-  for (std::size_t m = 0; m < window.count; ++m)
-    if (window.members[m] != i) foreseeBall(world, i, window.members[m], resume, window.end);
+}
+
+void foreseeAll(WorldState& world, const Window& window, std::size_t i, double t)
+{
+  foreseeBodies(world, window, i, t);
+  if (window.count > 1) foreseeBalls(world, window, i);
 }
 
 void changePath(WorldState& world, const Window& window, std::size_t i, const BallState& state, double t)
@@ -244,9 +254,15 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
 void handle(WorldState& world, const Window& window, std::size_t i)
 {
   const Event event = soonest(world.balls[i]);  // a copy: the original goes when the path does
+  const bool with_ball = &soonest(world.balls[i]) == &world.balls[i].next_ball;
   const double t = event.time;
-  if (event.kind == Event::Kind::LookAgain) return foreseeAll(world, window, i, t, t);
-  if (!stillTrue(world, event)) return foreseeAll(world, window, i, t);
+  const bool look_again = event.kind == Event::Kind::LookAgain;
+  if (look_again || !stillTrue(world, event))
+  {
+    // Only what is void is looked for anew: the other answer keeps its bits.
+    if (with_ball) return foreseeBalls(world, window, i, look_again ? t : kFromTheStart);
+    return foreseeBodies(world, window, i, t);
+  }
   switch (event.kind)
   {
     case Event::Kind::HitBody:

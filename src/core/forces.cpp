@@ -173,6 +173,7 @@ FlightModel::Rows<N> FlightModel::accelerations(const Rows<N>& v_WB, const Vecto
 }
 
 template FlightModel::Rows<4> FlightModel::accelerations<4>(const Rows<4>&, const Vector3d&, const Column<4>&) const;
+template FlightModel::Rows<6> FlightModel::accelerations<6>(const Rows<6>&, const Vector3d&, const Column<6>&) const;
 template FlightModel::Rows<8> FlightModel::accelerations<8>(const Rows<8>&, const Vector3d&, const Column<8>&) const;
 
 Vector3d FlightModel::acceleration(const Vector3d& v_WB, const Vector3d& w_WB) const

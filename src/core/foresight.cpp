@@ -1,5 +1,7 @@
 #include "foresight.h"
 
+#include <algorithm>
+
 namespace ping_pong
 {
 namespace
@@ -61,7 +63,8 @@ void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume,
   ++world.islands.pair_searches;
   const double until = std::min(mine.next_ball.time, window_end);
   const double from = std::max({mine.path.start, other.path.start, resume});
-  const Detection found = firstContact(mine.path, mine.params.radius, other.path, other.params.radius, from, until);
+  const BallRecord &first = world.balls[std::min(i, k)], &second = world.balls[std::max(i, k)];
+  const Detection found = firstContact(first.path, first.params.radius, second.path, second.params.radius, from, until);
   if (!(found.time < mine.next_ball.time)) return;
   mine.next_ball = toEvent(found, Event::Kind::HitBall, k, kNone, other.version);
   if (found.time < other.next_ball.time) other.next_ball = toEvent(found, Event::Kind::HitBall, i, kNone, mine.version);

@@ -12,7 +12,7 @@ void foresee(WorldState& world, std::size_t i, double t);
 void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end);
 
 /// Looks whether ball i meets ball k up to window_end, before it meets another one, and tells both. The search begins where
-/// the later of the two paths does, so that its answer is the same bits in any window.
+/// the later of the two paths does, and takes the balls in the order of the list: its answer is the same bits in any window.
 /// @param resume  begin no earlier than this: where a search was cut short [s]
 void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end);
 

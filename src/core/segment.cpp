@@ -9,18 +9,16 @@
 
 namespace ping_pong
 {
-Vector3d Segment::position(double s) const
+Vector3d Segment::positionOnPolynomial(double s) const
 {
-  if (degree == 2) return c[0] + s * (c[1] + s * c[2]);
   Vector3d sum = c[degree];
   for (int k = degree - 1; k >= 0; --k) sum = sum * s + c[k];
   return sum;
 }
 
-Vector3d Segment::velocity(double s) const
+Vector3d Segment::velocityOnPolynomial(double s) const
 {
   if (degree < 1) return Vector3d::Zero();
-  if (degree == 2) return c[1] + (2.0 * s) * c[2];
   Vector3d sum = degree * c[degree];
   for (int k = degree - 1; k >= 1; --k) sum = sum * s + k * c[k];
   return sum;
@@ -43,7 +41,7 @@ Vector3d Segment::spin(double s) const
 
 BallState Segment::state(double s) const
 {
-  if (w_WB.isZero(0.0) && alpha_WB.isZero(0.0)) return {position(s), q_WB, velocity(s), w_WB};
+  if (w_WB.isZero(0.0) && alpha_WB.isZero(0.0) && turn_WB.isZero(0.0)) return {position(s), q_WB, velocity(s), w_WB};
   // Exact where the axis keeps its direction; a ball that starts to roll while it spins about the normal turns nearly so.
   const Vector3d turn = turn_WB + turnIn(w_WB, spin_decay, s) + (0.5 * s * s) * alpha_WB;
   return {position(s), turned(q_WB, turn, 1.0), velocity(s), spin(s)};

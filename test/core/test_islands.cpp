@@ -1,0 +1,273 @@
+// Balls that fly apart and meet in islands: nobody is overlooked, and the windows leave no trace in the result.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "broad_phase.h"
+#include "scene_builder.h"
+
+namespace ping_pong
+{
+namespace
+{
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+class Random
+{
+public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double in(double a, double b) { return a + (b - a) * static_cast<double>(engine_()) / 4294967296.0; }
+  Vector3d vector(double a, double b)
+  {
+    const double x = in(a, b), y = in(a, b);
+    return {x, y, in(a, b)};
+  }
+
+private:
+  std::mt19937 engine_;
+};
+
+// Boxes of many sizes, some a kilometre and more away, some points, some twice at one place.
+std::vector<Box> someBoxes(std::size_t count, unsigned seed)
+{
+  Random random(seed);
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double size = i % 7 == 0 ? 0.0 : i % 31 == 0 ? 3.0 : random.in(0.0, 0.2);
+    Vector3d p = random.vector(-1.0, 1.0);
+    if (i % 41 == 0) p *= 1e3;
+    if (i % 97 == 0) p *= 1e6;
+    Box box;
+    box.low = p;
+    box.high = p + Vector3d(size, random.in(0.0, size), size);
+    boxes.push_back(box);
+    if (i % 13 == 0) boxes.push_back(box);
+  }
+  return boxes;
+}
+
+Pairs everyPair(const std::vector<Box>& boxes)
+{
+  Pairs pairs;
+  for (std::uint32_t a = 0; a < boxes.size(); ++a)
+    for (std::uint32_t b = a + 1; b < boxes.size(); ++b)
+      if (boxes[a].overlaps(boxes[b])) pairs.insert({a, b});
+  return pairs;
+}
+
+TEST(BroadPhase, FindsEveryPairOnce)
+{
+  BroadPhase broad_phase;
+  for (const std::size_t count : {1, 2, 5, 40, 300, 2000})
+  {
+    const std::vector<Box> boxes = someBoxes(count, static_cast<unsigned>(count));
+    const std::vector<BroadPhase::Pair>& found = broad_phase.findPairs(boxes);
+    Pairs pairs;
+    for (const BroadPhase::Pair& pair : found) pairs.insert({pair.a, pair.b});
+    EXPECT_EQ(pairs.size(), found.size()) << "some pair was told twice";
+    EXPECT_EQ(pairs, everyPair(boxes)) << count;
+  }
+}
+
+TEST(BroadPhase, FindsWhoOverlapsABoxThatWasNotThere)
+{
+  BroadPhase broad_phase;
+  const std::vector<Box> boxes = someBoxes(500, 3);
+  broad_phase.findPairs(boxes);
+  std::vector<std::uint32_t> found;
+  for (const Box& box : someBoxes(200, 4))
+  {
+    broad_phase.findOverlapping(box, boxes, found);
+    std::set<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      if (boxes[i].overlaps(box)) expected.insert(i);
+    EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()), expected);
+  }
+}
+
+// --- a gas against a list of events that anybody would write ---
+
+struct Particle
+{
+  Vector3d p, v;
+};
+
+// Elastic balls of equal mass in a cube, nothing else: all pairs, all walls, again after every event.
+class Gas
+{
+public:
+  Gas(std::vector<Particle> particles, double half, double radius)
+    : particles_(std::move(particles)), half_(half), radius_(radius)
+  {
+  }
+
+  int run(double duration)
+  {
+    int hits = 0;
+    for (double left = duration; left > 0.0;)
+    {
+      double soonest = left;
+      std::size_t first = 0, second = 0;
+      int wall = -1;
+      for (std::size_t i = 0; i < particles_.size(); ++i)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+          if (const double t = wallTime(particles_[i], axis); t < soonest) soonest = t, first = i, wall = axis;
+        for (std::size_t k = i + 1; k < particles_.size(); ++k)
+          if (const double t = pairTime(particles_[i], particles_[k]); t < soonest) soonest = t, first = i, second = k, wall = -1;
+      }
+      for (Particle& particle : particles_) particle.p += soonest * particle.v;
+      left -= soonest;
+      if (left <= 0.0) break;
+      ++hits;
+      if (wall >= 0)
+        particles_[first].v[wall] *= -1.0;
+      else
+        exchange(particles_[first], particles_[second]);
+    }
+    return hits;
+  }
+
+  const std::vector<Particle>& particles() const { return particles_; }
+
+private:
+  double wallTime(const Particle& a, int axis) const
+  {
+    const double room = half_ - radius_;
+    if (a.v[axis] > 0.0) return (room - a.p[axis]) / a.v[axis];
+    return a.v[axis] < 0.0 ? (-room - a.p[axis]) / a.v[axis] : 1e300;
+  }
+
+  double pairTime(const Particle& a, const Particle& b) const
+  {
+    const Vector3d d = a.p - b.p, u = a.v - b.v;
+    const double closing = d.dot(u), reach = 2.0 * radius_;
+    const double root = closing * closing - u.squaredNorm() * (d.squaredNorm() - reach * reach);
+    return closing < 0.0 && root >= 0.0 ? (d.squaredNorm() - reach * reach) / (std::sqrt(root) - closing) : 1e300;
+  }
+
+  static void exchange(Particle& a, Particle& b)
+  {
+    const Vector3d n = (a.p - b.p).normalized();
+    const Vector3d along = n.dot(a.v - b.v) * n;
+    a.v -= along;
+    b.v += along;
+  }
+
+  std::vector<Particle> particles_;
+  double half_, radius_;
+};
+
+std::vector<Particle> cloud(int per_edge, double spacing, unsigned seed)
+{
+  Random random(seed);
+  std::vector<Particle> particles;
+  for (int i = 0; i < per_edge * per_edge * per_edge; ++i)
+  {
+    const Vector3d place(i % per_edge, i / per_edge % per_edge, i / per_edge / per_edge);
+    particles.push_back({spacing * (place - Vector3d::Constant(0.5 * (per_edge - 1))), random.vector(-2.0, 2.0)});
+  }
+  return particles;
+}
+
+SceneBuilder room(const std::vector<Particle>& particles, double half)
+{
+  SceneBuilder builder;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0})
+      builder.box("wall" + std::to_string(axis) + (side > 0.0 ? "+" : "-"),
+                  Vector3d::Constant(4.0 * half) - (4.0 * half - 0.2) * Vector3d::Unit(axis),
+                  at((half + 0.1) * side * Vector3d::Unit(axis)));
+  for (const Particle& particle : particles) builder.ball(particle.p, particle.v);
+  return builder;
+}
+
+TEST(Islands, AGasGoesAsTheListOfAllEvents)
+{
+  constexpr double kHalf = 0.3, kDuration = 0.25;
+  const std::vector<Particle> start = cloud(5, 0.1, 1);
+  Gas gas(start, kHalf, kR);
+  const int expected = gas.run(kDuration);
+  for (const double tick : {kDuration, kDuration / 60.0})
+  {
+    World world = room(start, kHalf).world();
+    const std::size_t hits = run(world, tick, static_cast<int>(std::lround(kDuration / tick))).size();
+    double worst = 0.0;
+    for (std::size_t i = 0; i < start.size(); ++i)
+      worst = std::max(worst, (positionOf(world, i) - gas.particles()[i].p).norm());
+    measured("gas of 125: hits", static_cast<double>(hits));
+    measured("worst difference of a position from the list of all events [m]", worst);
+    EXPECT_EQ(hits, static_cast<std::size_t>(expected));
+    EXPECT_GT(hits, 250u);
+    EXPECT_LE(worst, 1e-9);  // a few hits a ball, each of which makes 1e-16 m larger by the path over the radius, about 10
+  }
+}
+
+// Chaos makes any difference large: the same bits mean the same events, found at the same instants.
+TEST(Islands, TheSameBitsInWindowsOfAnyLength)
+{
+  for (const bool air : {false, true})
+  {
+    Scene scene = room(cloud(4, 0.12, 2), 0.3).gravity(kG).restitution(0.9).build();
+    scene.forces.drag = scene.forces.magnus = air;
+    std::vector<Vector3d> first;
+    for (const int ticks : {1, 7, 500})
+    {
+      World world(scene);
+      std::size_t hits = 0;
+      // Ticks of 2^-n s: their ends are the same numbers.
+      for (int i = 0; i < ticks; ++i)
+      {
+        const double end = std::ldexp(std::floor(std::ldexp((i + 1.0) / ticks, 20)), -20);
+        hits += world.advance(end - world.time()).contacts;
+      }
+      EXPECT_GT(hits, 200u);
+      std::vector<Vector3d> now;
+      for (std::size_t i = 0; i < world.ballCount(); ++i) now.push_back(positionOf(world, i));
+      if (first.empty()) first = now;
+      EXPECT_EQ(now, first) << ticks << " ticks, air: " << air;
+    }
+  }
+}
+
+TEST(Islands, ContactsAreReportedOnceAndInOrder)
+{
+  World world = room(cloud(6, 0.09, 3), 0.3).gravity(kG).world();
+  for (int i = 0; i < 20; ++i)
+  {
+    const StepStatus status = world.advance(0.02);
+    EXPECT_EQ(status.contacts, world.contacts().size());
+    double before = world.time() - 0.02 - 1e-12;
+    for (const Contact& contact : world.contacts())
+    {
+      EXPECT_GE(contact.time, before);
+      before = contact.time;
+    }
+  }
+}
+
+TEST(Islands, NoOverlapAndNoLossOfEnergyInACrowd)
+{
+  World world = room(cloud(8, 0.07, 4), 0.4).gravity(kG).world();
+  const double energy = world.totals().energy();
+  double deepest = 0.0;
+  std::size_t hits = 0;
+  for (int i = 0; i < 50; ++i)
+  {
+    hits += world.advance(0.01).contacts;
+    for (std::size_t a = 0; a < world.ballCount(); ++a)
+      for (std::size_t b = a + 1; b < world.ballCount(); ++b)
+        deepest = std::max(deepest, 2.0 * kR - (positionOf(world, a) - positionOf(world, b)).norm());
+  }
+  measured("crowd of 512: hits", static_cast<double>(hits));
+  measured("deepest overlap of two balls at the ends of ticks [m]", deepest);
+  measured("relative change of energy", world.totals().energy() / energy - 1.0);
+  EXPECT_GT(hits, 5000u);
+  EXPECT_LE(deepest, 1e-12);
+  EXPECT_NEAR(world.totals().energy() / energy, 1.0, 1e-12);
+}
+}  // namespace
+}  // namespace ping_pong
