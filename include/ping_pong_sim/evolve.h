@@ -9,8 +9,8 @@ namespace ping_pong
 /// Closed-form flight under a constant acceleration from `state` at time `start`: p0 + v0 s + a s^2 / 2.
 Segment flyParabola(const BallState& state, double start, const Vector3d& a);
 
-/// Degree of the pieces of flight through air: long pieces of high degree pay once the error has to be small.
-/// @param tolerance  as below [m]
+/// Degree of the pieces of flight through air that is the cheapest at this tolerance, see fly() [m]: the smaller the error
+/// has to be, the more it pays to have more points.
 constexpr int pieceDegree(double tolerance)
 {
   return tolerance > 3e-6 ? 5 : tolerance > 1e-9 ? 7 : 9;

@@ -20,6 +20,7 @@ enum class Law
   SpinRatio,
   SpinDecay,
   Collocation5,  ///< pieces tried, by degree
+  Collocation7,
   Collocation9,
   Orientation,  ///< a turn worked out
   Restitution,

@@ -166,7 +166,7 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
   using Rows = FlightModel::Rows<N>;
   const Vector3d& v0 = path.c[1];
   FlightModel::Column<N> fade = FlightModel::Column<N>::Ones();
-  count(N == 4 ? Law::Collocation5 : Law::Collocation9);
+  count(N == 4 ? Law::Collocation5 : N == 6 ? Law::Collocation7 : Law::Collocation9);
   if (path.spin_decay > 0.0) count(Law::SpinDecay, N);
   if (path.spin_decay > 0.0) fade = (-path.spin_decay * h * points.nodes.array()).exp();
   Rows v = firstGuess<N>(model, path, h, points);

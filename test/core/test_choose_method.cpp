@@ -54,7 +54,7 @@ TEST(ChooseMethod, AirNeedsCollocationAtTheTolerance)
   scene.forces.drag = true;
   scene.forces.drag_law = DragLaw::constant(0.5);
   EXPECT_EQ(reasonFor(scene),
-            "exact: flight by collocation of degree 9 to 1e-06 m, for drag; one ball, so no pair search; " + kNoSpin);
+            "exact: flight by collocation of degree 7 to 1e-06 m, for drag; one ball, so no pair search; " + kNoSpin);
   scene.tolerance = 1e-3;
   scene.forces.magnus = true;
   scene.forces.wind = {1, 0, 0};

@@ -9,6 +9,7 @@
 
 #include "count.h"
 #include "ping_pong_sim/choose_method.h"
+#include "ping_pong_sim/evolve.h"
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -26,6 +27,7 @@ const char* const kNames[] = {"flight model",
                               "spin ratio",
                               "spin decay",
                               "collocation of degree 5",
+                              "collocation of degree 7",
                               "collocation of degree 9",
                               "orientation",
                               "restitution",
@@ -184,7 +186,7 @@ Laws operator+(Laws laws, const Laws& more)
   return laws;
 }
 
-const Laws kDegree9 = {"collocation of degree 9"};
+const Laws kPieces = {"collocation of degree " + std::to_string(pieceDegree(Scene().tolerance))};
 const Laws kTurns = {"orientation"};
 const Laws kRubs = {"slip", "friction", "orientation"};
 
@@ -201,23 +203,23 @@ const Case kCases[] = {
          false),
      kVacuum},
     {"spin decay", with([](Forces& f) { f.spin_decay = 0.2; }), kVacuum + kTurns + Laws{"spin decay"}},
-    {"drag", with(constantDrag, false), kAir, kDegree9},
-    {"drag that depends on spin", with([](Forces& f) { f.drag = true; }, false), kAir + Laws{"spin ratio"}, kDegree9},
+    {"drag", with(constantDrag, false), kAir, kPieces},
+    {"drag that depends on spin", with([](Forces& f) { f.drag = true; }, false), kAir + Laws{"spin ratio"}, kPieces},
     {"a table of drag by Reynolds number", with([](Forces& f) { dragTable(f, {0.1}); }, false),
-     kAir + Laws{"drag table"}, kDegree9},
+     kAir + Laws{"drag table"}, kPieces},
     {"a table of drag by Reynolds number and spin",
      with(
          [](Forces& f) {
            dragTable(f, {0.1, 0.2});
          },
          false),
-     kAir + Laws{"drag table", "spin ratio"}, kDegree9},
+     kAir + Laws{"drag table", "spin ratio"}, kPieces},
     {"linear lift", with([](Forces& f) { lift(f, LiftLaw::Kind::Linear); }),
-     Laws{"lift", "restitution", "half-space"} + kTurns, kDegree9},
+     Laws{"lift", "restitution", "half-space"} + kTurns, kPieces},
     {"saturating lift", with([](Forces& f) { lift(f, LiftLaw::Kind::Saturating); }),
-     Laws{"lift", "spin ratio", "restitution", "half-space"} + kTurns, kDegree9},
+     Laws{"lift", "spin ratio", "restitution", "half-space"} + kTurns, kPieces},
     {"a table of lift", with([](Forces& f) { lift(f, LiftLaw::Kind::Table); }),
-     Laws{"lift", "lift table", "spin ratio", "restitution", "half-space"} + kTurns, kDegree9},
+     Laws{"lift", "lift table", "spin ratio", "restitution", "half-space"} + kTurns, kPieces},
     {"friction", on(grippy), kVacuum + kRubs},
     {"tangential restitution", on(springy), kVacuum + kRubs + Laws{"tangential restitution"}},
     {"rolling resistance", on(rolls), kVacuum + kRubs, {}, {"rolling resistance"}},
@@ -309,13 +311,20 @@ TEST(PayForWhatYouNameHow, AForceModelIsSetUpOncePerBall)
 
 TEST(PayForWhatYouNameHow, TheToleranceSetsTheDegree)
 {
-  Scene scene = with(constantDrag, false)();
-  scene.tolerance = 1e-4;
-  World world(scene);
-  evaluations.fill(0);
-  world.advance(1.0);
-  EXPECT_GT(evaluationsOf(Law::Collocation5), 0);
-  EXPECT_EQ(evaluationsOf(Law::Collocation9), 0);
+  const std::pair<double, Law> degrees[] = {
+      {1e-3, Law::Collocation5}, {1e-7, Law::Collocation7}, {1e-11, Law::Collocation9}};
+  for (const auto& [tolerance, used] : degrees)
+  {
+    Scene scene = with(constantDrag, false)();
+    scene.tolerance = tolerance;
+    World world(scene);
+    evaluations.fill(0);
+    world.advance(1.0);
+    for (const auto& [other, law] : degrees)
+      EXPECT_EQ(evaluationsOf(law) > 0, law == used) << tolerance << ' ' << other;
+    EXPECT_EQ(kNames[static_cast<std::size_t>(used)],
+              "collocation of degree " + std::to_string(pieceDegree(tolerance)));
+  }
 }
 
 // One parabola per bounce, not per tick.
@@ -339,8 +348,9 @@ TEST(PayForWhatYouNameHow, AutoComputesWhatItSays)
     const std::string says = chooseMethod(scene).reason;
     const Laws laws = lawsOf(what, Method::Auto);
     const auto said = [&](const char* words) { return says.find(words) != std::string::npos; };
-    EXPECT_EQ(said("closed form"), laws.count("collocation of degree 9") == 0) << what.title << ": " << says;
-    EXPECT_EQ(said("degree 9"), laws.count("collocation of degree 9") == 1) << what.title << ": " << says;
+    const bool pieces = laws.count(*kPieces.begin()) > 0;
+    EXPECT_EQ(said("closed form"), !pieces) << what.title << ": " << says;
+    EXPECT_EQ(said(kPieces.begin()->c_str()), pieces) << what.title << ": " << says;
     EXPECT_EQ(said("no pair search"), laws.count("broad phase") == 0) << what.title << ": " << says;
     const bool spin_counts = laws.count("slip") + laws.count("spin ratio") + laws.count("lift") > 0;
     EXPECT_EQ(said("spin is not integrated"), !spin_counts) << what.title << ": " << says;

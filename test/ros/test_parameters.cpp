@@ -52,7 +52,15 @@ TEST(Parameters, FactorThatIsAText)
 
 TEST(Parameters, UnknownMethod)
 {
-  expectRefused(kScene + " _method:=magic", {"/refused/method", "magic", "exact"});
+  expectRefused(kScene + " _method:=magic", {"/refused/method", "magic", "exact", "auto", "scene"});
+}
+
+TEST(Parameters, AutoIsAMethodAndSaysOnceWhatItTakes)
+{
+  const std::string text = run(kScene + " _method:=auto").text;
+  const std::size_t said = text.find("method auto takes exact: flight in closed form");
+  ASSERT_NE(said, std::string::npos) << text;
+  EXPECT_EQ(text.find("auto takes", said + 20), std::string::npos) << text;
 }
 
 TEST(Parameters, ToleranceOutOfRange)
