@@ -325,17 +325,18 @@ void startWindow(WorldState& world, double end)
 }
 }  // namespace
 
+void restartBall(WorldState& world, std::size_t i)
+{
+  BallRecord& ball = world.balls[i];
+  if (ball.squeezed) return;
+  planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
+  foresee(world, i, world.time);
+  ball.next_moving = Event();
+}
+
 void restartExact(WorldState& world)
 {
-  if (world.balls.size() > 1) world.islands.reserve(world.balls.size());
-  for (std::size_t i = 0; i < world.balls.size(); ++i)
-  {
-    BallRecord& ball = world.balls[i];
-    if (ball.squeezed) continue;
-    planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
-    foresee(world, i, world.time);
-    ball.next_moving = Event();
-  }
+  for (std::size_t i = 0; i < world.balls.size(); ++i) restartBall(world, i);
 }
 
 bool runTogether(WorldState& world, const Window& window)
@@ -360,6 +361,7 @@ void runExact(WorldState& world, double end)
   if (world.balls.size() == 1)
   {
     const std::size_t only = 0;
+    world.balls[only].next_ball = Event();  // another one may have been there
     runTogether(world, {world.time, end, end, &only, 1, false});
   }
   else if (!world.balls.empty())

@@ -7,6 +7,8 @@ namespace ping_pong
 {
 /// Plans paths and events of all balls from scratch at world.time.
 void restartExact(WorldState& world);
+/// The same for one ball.
+void restartBall(WorldState& world, std::size_t i);
 
 /// Balls that may meet each other, and how long they are followed.
 struct Window

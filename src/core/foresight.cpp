@@ -8,6 +8,8 @@ namespace
 {
 // A ball that meets nothing looks again after so long: it bounds the work of a search into empty space.
 constexpr double kHorizon = 1.0;  // [s]
+// Boxes that come so near are taken to overlap, whatever rounding says.
+constexpr double kSlack = 1e-9;  // [m]
 
 Event toEvent(const Detection& found, Event::Kind kind, std::size_t other, std::size_t shape, unsigned version)
 {
@@ -19,19 +21,37 @@ bool liesStill(const BallRecord& ball)
   return ball.path.degree == 0;
 }
 
-void lookAtBody(const WorldState& world, const BallRecord& ball, std::size_t b, double t, double until, Event& next)
+// `search(shape, from, until)` finds the first contact with a shape of this body.
+template <typename Search>
+void lookAtShape(const BallRecord& ball, const BodyRecord& body, std::size_t b, std::size_t s, double t, double until,
+                 const Search& search, Event& next)
 {
-  const BodyRecord& body = world.bodies[b];
-  for (std::size_t s = 0; s < body.shapes().size(); ++s)
+  if (ball.supports.has(b, s)) return;
+  const bool passing = ball.passing.body == b && ball.passing.shape == s;
+  const Detection found = search(passing ? std::max(t, ball.passing.until) : t, std::min(until, next.time));
+  if (found.time < next.time) next = toEvent(found, Event::Kind::HitBody, b, s, body.version);
+}
+
+void lookAtStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, double t, const Box& way, Event& next)
+{
+  for (std::size_t s = 0; s < body.placed.size(); ++s)
   {
-    if (ball.supports.has(b, s)) continue;
-    const bool passing = ball.passing.body == b && ball.passing.shape == s;
-    const double from = passing ? std::max(t, ball.passing.until) : t;
-    const double before = std::min(until, next.time);
-    const Detection found =
-        body.moving ? firstContact(ball.path, ball.params.radius, body.body.shapes[s], body.motion, from, before)
-                    : firstContact(ball.path, ball.params.radius, body.placed[s], from, before);
-    if (found.time < next.time) next = toEvent(found, Event::Kind::HitBody, b, s, body.version);
+    if (!way.overlaps(body.boxes[s])) continue;
+    const auto search = [&](double from, double until) {
+      return firstContact(ball.path, ball.params.radius, body.placed[s], from, until);
+    };
+    lookAtShape(ball, body, b, s, t, kNever, search, next);
+  }
+}
+
+void lookAtMovingBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, double t, double until, Event& next)
+{
+  for (std::size_t s = 0; s < body.body.shapes.size(); ++s)
+  {
+    const auto search = [&](double from, double before) {
+      return firstContact(ball.path, ball.params.radius, body.body.shapes[s], body.motion, from, before);
+    };
+    lookAtShape(ball, body, b, s, t, until, search, next);
   }
 }
 
@@ -50,9 +70,12 @@ void foresee(WorldState& world, std::size_t i, double t)
   ball.next = Event();
   if (ball.squeezed) return;
   ball.next = endOfPath(ball, t);
-  if (!liesStill(ball))
-    for (std::size_t b = 0; b < world.bodies.size(); ++b)
-      if (!world.bodies[b].moving) lookAtBody(world, ball, b, t, kNever, ball.next);
+  if (liesStill(ball)) return;
+  Box way = boxOf(ball, t, ball.next.time);
+  way.low.array() -= kSlack;
+  way.high.array() += kSlack;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b)
+    if (!world.bodies[b].moving) lookAtStillBody(ball, world.bodies[b], b, t, way, ball.next);
 }
 
 void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end)
@@ -76,7 +99,7 @@ void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end
   ball.next_moving = Event();
   if (ball.squeezed) return;
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
-    if (world.bodies[b].moving) lookAtBody(world, ball, b, t, window_end, ball.next_moving);
+    if (world.bodies[b].moving) lookAtMovingBody(ball, world.bodies[b], b, t, window_end, ball.next_moving);
 }
 
 bool stillTrue(const WorldState& world, const Event& event)

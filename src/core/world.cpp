@@ -70,7 +70,9 @@ struct World::Impl : WorldState
   double later(double duration);
   double movePaddles(double end);
   void runMethod(double end);
-  void plan();
+  void makeSpace();
+  void planAll();
+  void planBall(std::size_t index);
   void letGo(std::size_t body);
   void makeRoom();
 };
@@ -96,7 +98,7 @@ void World::Impl::start()
   }
   for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
   if (locatesContacts(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
-  plan();
+  planAll();
 }
 
 BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
@@ -107,13 +109,26 @@ BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
   return balls.back();
 }
 
-void World::Impl::plan()
+// Memory for all that a tick needs: it is not taken while the world moves on.
+void World::Impl::makeSpace()
 {
   contacts.reserve(kContactsInATick + kContactsOfABall * balls.size());
   contact_of.reserve(contacts.capacity());
   obstacles.reserve(bodies.size());
   near_obstacles.reserve(mostNearPairs(bodies));
+  if (locatesContacts(scene.method) && balls.size() > 1) islands.reserve(balls.size());
+}
+
+void World::Impl::planAll()
+{
+  makeSpace();
   if (locatesContacts(scene.method)) restartExact(*this);
+}
+
+void World::Impl::planBall(std::size_t index)
+{
+  makeSpace();
+  if (locatesContacts(scene.method)) restartBall(*this, index);
 }
 
 // Neumaier's compensated sum.
@@ -335,7 +350,7 @@ Refusal World::spawnBall(const BallParams& params, const BallState& state, BallI
   if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
   const BallRecord& ball = impl_->add(params, normalized(state));
   if (id) *id = ball.id;
-  impl_->plan();
+  impl_->planBall(impl_->balls.size() - 1);
   return {};
 }
 
@@ -344,7 +359,6 @@ Refusal World::deleteBall(BallId id)
   const std::size_t index = findBall(id);
   if (index == kNone) return {"ball: no ball_" + std::to_string(id)};
   impl_->balls.erase(impl_->balls.begin() + static_cast<std::ptrdiff_t>(index));
-  impl_->plan();
   return {};
 }
 
@@ -360,7 +374,7 @@ Refusal World::setBallState(BallId id, const BallState& state)
   ball.squeezed = false;
   ball.supports = Supports();
   ball.path = flyParabola(normalized(state), impl_->time, Vector3d::Zero());
-  impl_->plan();
+  impl_->planBall(index);
   return {};
 }
 
@@ -374,7 +388,7 @@ Refusal World::setBodyPose(std::size_t body, const Pose& pose)
   placeBody(record, {pose.p, pose.q.normalized()});
   impl_->letGo(body);
   impl_->makeRoom();
-  impl_->plan();
+  impl_->planAll();
   return {};
 }
 

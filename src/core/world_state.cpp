@@ -14,6 +14,17 @@ double leastOn(double v, double a, double T)
   if (a > 0.0 && v < 0.0 && -v < a * T) return -0.5 * v * v / a;
   return std::min(0.0, (v + 0.5 * a * T) * T);
 }
+
+Box boxAround(const Shape& placed)
+{
+  Box box;
+  for (int i = 0; i < 3; ++i)
+  {
+    box.high[i] = supportDistance(placed, Vector3d::Unit(i));
+    box.low[i] = -supportDistance(placed, -Vector3d::Unit(i));
+  }
+  return box;
+}
 }  // namespace
 
 Box boxOf(const BallRecord& ball, double from, double to)
@@ -50,6 +61,11 @@ void placeBody(BodyRecord& body, Pose pose)
   body.moving = false;
   ++body.version;
   body.placed.clear();
-  for (const Shape& shape : body.body.shapes) body.placed.push_back(placed(shape, pose));
+  body.boxes.clear();
+  for (const Shape& shape : body.body.shapes)
+  {
+    body.placed.push_back(placed(shape, pose));
+    body.boxes.push_back(boxAround(body.placed.back()));
+  }
 }
 }  // namespace ping_pong

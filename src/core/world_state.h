@@ -85,6 +85,7 @@ struct BodyRecord
   bool moved = false;     ///< in the window before
   unsigned version = 0;
   std::vector<Shape> placed;  ///< the shapes in the world frame, for still bodies
+  std::vector<Box> boxes;     ///< that contain them
 
   const std::vector<Shape>& shapes() const { return moving ? body.shapes : placed; }
   const BodyMotion& frame() const { return moving ? motion : kWorldFrame; }

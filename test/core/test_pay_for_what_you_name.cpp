@@ -229,13 +229,19 @@ const Case kCases[] = {
          [](SceneBuilder& b) {
            b.box("box", {1, 1, 1}, at({0, 9, 0}));
          }),
+     kVacuum, {}, {}, Laws{"box"}},
+    {"a box below the floor, where the path would go on",
+     near(
+         [](SceneBuilder& b) {
+           b.box("box", {1, 1, 1}, at({0, 0, -0.501}));
+         }),
      kVacuum + Laws{"box"}},
-    {"a cylinder and a sphere",
+    {"a cylinder and a sphere below the floor",
      near(
          [](SceneBuilder& b)
          {
-           b.body("can", BodyKind::Static, {cylinderShape(0.1, 0.1)}, at({0, 9, 0}));
-           b.body("globe", BodyKind::Static, {sphereShape(0.1)}, at({0, 9, 0}));
+           b.body("can", BodyKind::Static, {cylinderShape(2, 0.1)}, at({0, 0, -0.051}));
+           b.body("globe", BodyKind::Static, {sphereShape(5)}, at({0, 0, -5.001}));
          }),
      kVacuum + Laws{"cylinder", "sphere"}},
     {"a paddle that moves",
