@@ -195,6 +195,7 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
   return excess <= 1.0;
 }
 
+constexpr double kCostOfATurn = 1e-4;  // more than a piece across such a turn is ever wrong by [m]
 constexpr double kTooSoon = 1e-7;  // a kink that close to the start is the one that the last piece ended at [s]
 
 // First time on the piece at which `beyond` is true, which is false at its start: to 1e-12 s, if some look sees it.
@@ -241,9 +242,9 @@ double sharpTurn(const FlightModel& model, const Segment& path)
   return speed < kSharp * h * path.acceleration(turn).norm() ? turn : kNoKink;
 }
 
-double firstKink(const FlightModel& model, const Segment& path)
+double firstKink(const FlightModel& model, const Segment& path, double tolerance)
 {
-  const double turn = sharpTurn(model, path);
+  const double turn = tolerance < kCostOfATurn ? sharpTurn(model, path) : kNoKink;
   return model.smooth() ? turn : std::min(turn, firstNode(model, path));
 }
 
@@ -262,7 +263,7 @@ void flyThroughAir(const FlightModel& model, double tolerance, Segment& path, do
       h *= std::max(0.1, 0.8 * std::pow(excess, -1.0 / N));
       continue;
     }
-    const double kink = cuts++ < kCuts ? firstKink(model, path) : kNoKink;
+    const double kink = cuts++ < kCuts ? firstKink(model, path, tolerance) : kNoKink;
     if (kink >= h * (1.0 - 1e-9)) break;
     h = kink;
   }
