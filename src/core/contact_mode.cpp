@@ -181,10 +181,10 @@ void flyStep(BallRecord& ball, const BallState& state, double t, double h)
 
 void planFlight(const WorldState& world, BallRecord& ball, const BallState& state, double t)
 {
-  if (world.scene.method == Method::Rk4Located)
-    flyStep(ball, state, t, world.scene.dt);
-  else
-    fly(state, t, ball.model, world.scene.tolerance, ball.step, ball.path);
+  if (world.scene.method == Method::Rk4Located) return flyStep(ball, state, t, world.scene.dt);
+  // A piece that a contact has cut was long enough: a longer one might have to be tried twice.
+  if (ball.path.degree > 2 && t < ball.path.end) ball.step = std::min(ball.step, ball.path.end - ball.path.start);
+  fly(state, t, ball.model, world.scene.tolerance, ball.step, ball.path);
 }
 
 // The path of a ball that lay on surfaces; it may leave some of them now, or all.

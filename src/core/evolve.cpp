@@ -105,6 +105,7 @@ constexpr double kShareOfLast = N < 6 ? 2e-2 : 1e-2;
 constexpr double kSweepsShare = 0.1;   // of the tolerance, left to the sweeps
 constexpr int kMaxSweeps = 40;
 constexpr double kLongestPiece = 1.0;  // [s]
+constexpr double kFirstTry = 3.0;      // length of the first piece, by tolerance^(1/(N+1)) / rate of the flow
 constexpr double kNoKink = std::numeric_limits<double>::infinity();  // [s]
 constexpr double kRally = 1.0;         // an error of the velocity lasts so long [s]
 
@@ -252,7 +253,7 @@ template <int N>
 void flyThroughAir(const FlightModel& model, double tolerance, Segment& path, double& step)
 {
   constexpr int kCuts = 8;
-  double h = step > 0.0 ? step : std::pow(tolerance, 1.0 / (N + 1)) / model.rate(path.c[1], path.w_WB);
+  double h = step > 0.0 ? step : kFirstTry * std::pow(tolerance, 1.0 / (N + 1)) / model.rate(path.c[1], path.w_WB);
   h = std::min(h, kLongestPiece);
   path.degree = 0;
   double excess = 1.0;
@@ -260,14 +261,15 @@ void flyThroughAir(const FlightModel& model, double tolerance, Segment& path, do
   {
     if (!collocate<N>(model, h, tolerance, path, excess))
     {
-      h *= std::max(0.1, 0.8 * std::pow(excess, -1.0 / N));
+      h *= std::max(0.1, 0.8 * std::pow(excess, -1.0 / (N + 2)));
       continue;
     }
     const double kink = cuts++ < kCuts ? firstKink(model, path, tolerance) : kNoKink;
     if (kink >= h * (1.0 - 1e-9)) break;
     h = kink;
   }
-  step = h * std::min(2.0, 0.8 * std::pow(std::max(excess, 1e-6), -1.0 / N));
+  // Near the tolerance the error grows with h^(N + 1) to h^(2 N), as `rough` sets in: a piece too long costs as much as two.
+  step = h * std::min(3.0, 0.8 * std::pow(std::max(excess, 1e-6), -1.0 / (N + 3)));
 }
 }  // namespace
 
