@@ -52,6 +52,7 @@ foreach(name
     cradle
     corner
     same_bits
+    hop
     islands
     edges
     grazing

@@ -22,5 +22,8 @@ struct Contact
   Vector3d w_after = Vector3d::Zero();            ///< spin of B just after [rad/s]
   Vector3d v_other = Vector3d::Zero();            ///< velocity of the touched point of the other, before [m/s]
   Vector3d impulse = Vector3d::Zero();            ///< on B, expressed in W [N s]
+
+  // Not "= default": a list that grows would fill each record with zeros before the values above.
+  Contact() {}
 };
 }  // namespace ping_pong

@@ -37,7 +37,10 @@ double gapAcceleration(const Shape& shape, const BodyFrame& frame, const Vector3
                        const Vector3d& a_WB);
 
 /// Below this gap a ball touches [m]: a few units in the last place of its coordinates.
-double touchTolerance(const Vector3d& p_WB, double radius);
+inline double touchTolerance(const Vector3d& p_WB, double radius)
+{
+  return 4e-16 * (p_WB.cwiseAbs().maxCoeff() + radius);
+}
 
 /// Answer of firstContact.
 struct Detection

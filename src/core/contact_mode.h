@@ -16,6 +16,7 @@ bool bouncingEnds(double rate, double press, double touch_tolerance);
 /// it would never end.
 double timeOfRemainingBounces(double rate, double press, double restitution);
 
+constexpr double kSurelyBounces = 1.0;  ///< leaving faster than this, no force ends the bouncing [m/s]
 constexpr double kKeepSpeed = 1e-6;  ///< a support is left by moving away faster than this [m/s]
 
 /// Plans the path from `state` at time t: drops supports that let go or were left, projects what remains of the velocity

@@ -5,6 +5,7 @@
 
 #include "count.h"
 #include "march.h"
+#include "parabola.h"
 
 namespace ping_pong
 {
@@ -46,21 +47,6 @@ bool outOfReach(const Segment& path, double radius, const Shape& shape, const Bo
                          shape.p_BS.norm() * (motion.twist.w.norm() + (s + T) * motion.alpha_WB.norm());
   const double speed = path.speedBound(from - path.start, until - path.start) + surface;
   return distance > speed * T;
-}
-
-Detection firstContactOnQuadratic(const Vector3d& d, const Vector3d& u, double reach, double from, double until,
-                                  double tolerance)
-{
-  const double closing = d.dot(u);  // half the derivative of |d|^2
-  if (closing >= -kNoClosingSpeed * reach) return {};
-  const double distance = d.norm();
-  const double c = (distance - reach) * (distance + reach);
-  if (distance - reach <= tolerance) return {from, false};
-  const double discriminant = closing * closing - u.squaredNorm() * c;
-  if (discriminant < 0.0) return {};
-  const double t = from + c / (std::sqrt(discriminant) - closing);
-  if (t > until) return {};
-  return {t, false};
 }
 
 struct FaceFrame
@@ -116,11 +102,6 @@ double leavesCap(const FaceFrame& ball, double radius)
   return std::max(2.0 * gap / (u + std::sqrt(u * u + 2.0 * a * gap)), kLeast);
 }
 }  // namespace
-
-double touchTolerance(const Vector3d& p_WB, double radius)
-{
-  return 4e-16 * (p_WB.cwiseAbs().maxCoeff() + radius);
-}
 
 Gap gapTo(const Shape& shape, const BodyFrame& frame, const Vector3d& p_WB, const Vector3d& v_WB, double radius)
 {
@@ -187,16 +168,9 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
   until = std::min({until, path1.end, path2.end});
   if (from > until) return {};
   const double reach = radius1 + radius2;
-  const double s1 = from - path1.start;
-  const double s2 = from - path2.start;
-  if (path1.degree == 2 && path2.degree == 2 && path1.c[2] == path2.c[2])
-  {
-    const Vector3d p1 = path1.c[0] + s1 * (path1.c[1] + s1 * path1.c[2]);
-    const Vector3d p2 = path2.c[0] + s2 * (path2.c[1] + s2 * path2.c[2]);
-    const Vector3d u = path1.c[1] - path2.c[1] + (2.0 * (s1 - s2)) * path1.c[2];
-    return firstContactOnQuadratic(p1 - p2, u, reach, from, until, touchTolerance(p1, reach));
-  }
-  const double tolerance = touchTolerance(path1.position(s1), reach);
+  if (isParabola(path1) && isParabola(path2) && path1.c[2] == path2.c[2])
+    return firstContact(asParabola(path1), asParabola(path2), reach, from, until);
+  const double tolerance = touchTolerance(path1.position(from - path1.start), reach);
   const Vector3d a_low = path1.a_low - path2.a_high;
   const Vector3d a_high = path1.a_high - path2.a_low;
   const auto at = [&](double t) {

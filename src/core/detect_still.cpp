@@ -1,6 +1,6 @@
 // First contact with a shape that does not move: the path is taken into the shape's frame once, and searched there.
 #include "count.h"
-#include "march.h"
+#include "fall_on_plane.h"
 #include "proximity_here.h"
 
 namespace ping_pong
@@ -26,19 +26,6 @@ double curvatureScalar(const double* c, int degree, double s)
   double sum = 0.0;
   for (int k = degree; k >= 2; --k) sum = sum * s + k * (k - 1) * c[k];
   return sum;
-}
-
-// A parabola above a plane.
-Detection fallOnPlane(const Segment& path, double radius, const Vector3d& n, const Shape& shape, double from, double until)
-{
-  const double height = n.dot(path.c[0] - shape.p_BS) - radius;
-  const double u = n.dot(path.c[1]);
-  const double half_a = n.dot(path.c[2]);
-  const auto at = [&](double t) {
-    const double s = t - path.start;
-    return Look{height + (u + half_a * s) * s, u + 2.0 * half_a * s, 2.0 * half_a};
-  };
-  return march(at, [&](double) { return half_a < 0.0; }, from, until, touchTolerance(path.position(from - path.start), radius));
 }
 
 // Only the height above the plane matters.

@@ -3,43 +3,25 @@
 #include <cmath>
 
 #include "contact_mode.h"
+#include "contact_record.h"
+#include "flown.h"
 #include "foresight.h"
 #include "held_motion.h"
+#include "hop.h"
 #include "islands.h"
 #include "ping_pong_sim/resolve.h"
 #include "placement.h"
+#include "streak.h"
 
 namespace ping_pong
 {
 namespace
 {
-// Contacts of a ball that follow each other faster than this are a streak. After a long streak balls stop losing speed to
-// each other (the TC rule of Luding and McNamara 1998), which makes the number of events finite where balls collapse.
-constexpr double kStreakTime = 1e-5;       // [s]
-constexpr double kStreakForgotten = 1e-3;  // a streak ends when nothing happens for so long [s]
-constexpr int kLongStreak = 64;
-// Contacts that follow each other faster than this are a crush: a moving paddle leaves hardly any room.
-constexpr double kCrushTime = 1e-7;        // [s]
-constexpr int kHopelessCrush = 10000;
-// Balls that press on each other and no longer bounce part with this speed: hops of v^2/2g = 1.3e-6 m, 1 ms long.
-constexpr double kHopSpeed = 5e-3;     // [m/s]
-constexpr double kTouchSpeed = 1e-9;   // slower is no impact [m/s]
 constexpr double kSqueezeGap = 2e-5;   // room left to a ball that counts as squeezed [m]
 constexpr double kOpposed = -0.999;    // cosine between normals of squeezing surfaces
 constexpr double kSameNormal = 1e-9;   // 1 - cosine between normals of faces that continue each other
-constexpr double kSurelyBounces = 1.0;  // leaving faster than this, no force ends the bouncing [m/s]
 constexpr std::size_t kEventsPerAdvance = 1000000;
 constexpr std::size_t kEventsPerBall = 10000;
-
-void countStreak(BallRecord& ball, double t)
-{
-  const double pause = t - ball.last_contact;
-  if (pause < kStreakTime) ++ball.streak;
-  if (pause > kStreakForgotten) ball.streak = 0;
-  ball.crush = pause < kCrushTime ? ball.crush + 1 : 0;
-  ball.last_contact = t;
-}
-
 
 constexpr double kFromTheStart = -kNever;
 
@@ -65,7 +47,7 @@ void foreseeAll(WorldState& world, const Window& window, std::size_t i, double t
 void changePath(WorldState& world, const Window& window, std::size_t i, const BallState& state, double t)
 {
   BallRecord& ball = world.balls[i];
-  if (window.sweeps) ball.swept.add(boxOf(ball, window.start, t));
+  if (window.sweeps) noteFlown(world, window, i, t);
   planPath(world, ball, state, t, window.smooth_until);
 }
 
@@ -96,40 +78,6 @@ bool squeezedBetween(const WorldState& world, const BallRecord& ball, const Ball
 }
 
 // --- resolve ---
-
-// Hops of a pile are not worth a report.
-bool worthAReport(const BallRecord& ball, double closing)
-{
-  return closing > (ball.streak > kLongStreak ? 2.0 * kHopSpeed : kTouchSpeed);
-}
-
-// A new record at the end of the list, to be filled in place.
-Contact& newContact(WorldState& world, std::size_t i)
-{
-  world.contacts.emplace_back();
-  world.contact_of.push_back(static_cast<std::uint32_t>(i));
-  ++world.status.contacts;
-  return world.contacts.back();
-}
-
-void recordBodyContact(WorldState& world, std::size_t i, const Event& event, const BallState& before,
-                       const BallState& after, const Gap& gap, const Vector3d& u, double t)
-{
-  const BallRecord& ball = world.balls[i];
-  Contact& contact = newContact(world, i);
-  contact.time = t;
-  contact.ball = ball.id;
-  contact.body = event.other;
-  contact.shape = event.shape;
-  contact.p_WC = before.p_WB - ball.params.radius * gap.n_W;
-  contact.n_W = gap.n_W;
-  contact.v_before = before.v_WB;
-  contact.v_after = after.v_WB;
-  contact.w_before = before.w_WB;
-  contact.w_after = after.w_WB;
-  contact.v_other = u;
-  contact.impulse = ball.params.mass * (after.v_WB - before.v_WB);
-}
 
 // After a bounce: if all bounces to come are too small to count, the ball lies on the surface from now on.
 void settle(const WorldState& world, BallRecord& ball, const Event& event, const Surface& law, const BodyFrame& frame,
@@ -192,7 +140,7 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   const Surface law = lawOf(world, ball, body, shape);
   const BallState before = state;
   bounce(law, ball.params, state, u, gap.n_W);
-  if (worthAReport(ball, -gap.rate)) recordBodyContact(world, i, event, before, state, gap, u, t);
+  if (worthAReport(ball, -gap.rate)) recordBodyContact(world, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB}, gap.n_W, u, t);
   settle(world, ball, event, law, frame, state, gap.n_W.dot(state.v_WB - u), t);
   restart(world, window, i, state, t);
 }
@@ -253,6 +201,11 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
 
 void handle(WorldState& world, const Window& window, std::size_t i)
 {
+  if (&soonest(world.balls[i]) == &world.balls[i].next && hop(world, window, i))
+  {
+    if (window.count > 1) foreseeBalls(world, window, i);
+    return;
+  }
   const Event event = soonest(world.balls[i]);  // a copy: the original goes when the path does
   const bool with_ball = &soonest(world.balls[i]) == &world.balls[i].next_ball;
   const double t = event.time;

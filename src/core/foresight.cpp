@@ -6,11 +6,6 @@ namespace ping_pong
 {
 namespace
 {
-// A ball that meets nothing looks again after so long: it bounds the work of a search into empty space.
-constexpr double kHorizon = 1.0;  // [s]
-// Boxes that come so near are taken to overlap, whatever rounding says.
-constexpr double kSlack = 1e-9;  // [m]
-
 Event toEvent(const Detection& found, Event::Kind kind, std::size_t other, std::size_t shape, unsigned version)
 {
   return {found.undecided ? Event::Kind::LookAgain : kind, found.time, other, shape, version};

@@ -5,6 +5,12 @@
 
 namespace ping_pong
 {
+/// A ball that meets nothing looks again after so long: it bounds the work of a search into empty space [s].
+constexpr double kHorizon = 4.0;
+
+/// Boxes that come so near are taken to overlap, whatever rounding says [m].
+constexpr double kSlack = 1e-9;
+
 /// Finds ball i's next event with still bodies from time t on.
 void foresee(WorldState& world, std::size_t i, double t);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "flown.h"
 #include "foresight.h"
 
 namespace ping_pong
@@ -10,9 +11,9 @@ namespace
 {
 // Long windows make large islands, in which each looks at each; short ones cost a search for neighbours each. Searches of
 // pairs, by ball and window:
-constexpr double kManySearches = 8.0;     // halve the window
-constexpr double kFewSearches = 3.0;      // double it
-constexpr double kTooManySearches = 24.0; // give up and begin again with a shorter window
+constexpr double kManySearches = 2.0;     // halve the window
+constexpr double kFewSearches = 0.7;      // double it
+constexpr double kTooManySearches = 4.0;  // give up and begin again with a shorter window
 constexpr double kShortestWindow = 1e-4;  // [s]
 
 std::uint32_t rootOf(IslandRecords& islands, std::uint32_t i)
@@ -52,6 +53,8 @@ void begin(WorldState& world)
   islands.settled.assign(n, false);
   islands.islands.clear();
   islands.hit.clear();
+  islands.pieces.clear();
+  islands.last_piece.assign(n, IslandRecords::kNoPiece);
 }
 
 void runAlone(WorldState& world, Window window, std::size_t i)
@@ -72,16 +75,18 @@ void runAlone(WorldState& world, Window window, std::size_t i)
   world.islands.alone[i] = world.islands.swept[i] = box;
 }
 
-// Whether two balls that would be alone meet. Paths of one piece are searched, others just said to meet.
+bool movedAlone(const WorldState& world, std::size_t i)
+{
+  return world.islands.last_piece[i] != IslandRecords::kNoPiece;
+}
+
+// Whether two balls that would be alone meet.
 bool meet(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
   const BallRecord &a = world.balls[i], &b = world.balls[k];
   if (a.squeezed || b.squeezed) return false;
-  const IslandRecords& islands = world.islands;
-  if (islands.saved_at[i] != IslandRecords::kNotSaved || islands.saved_at[k] != IslandRecords::kNotSaved) return true;
-  if (a.path.degree == 0 && b.path.degree == 0) return false;
-  const double from = std::max(a.path.start, b.path.start);
-  return firstContact(a.path, a.params.radius, b.path, b.params.radius, from, window.end).time < kNever;
+  if (a.path.degree == 0 && b.path.degree == 0 && !movedAlone(world, i) && !movedAlone(world, k)) return false;
+  return metInFlight(world, window, i, k);
 }
 
 void gatherMembers(IslandRecords& islands, std::uint32_t first)
@@ -124,7 +129,7 @@ void backToStart(WorldState& world, std::size_t first_contact, std::uint32_t roo
     ran |= islands.saved_at[i] != IslandRecords::kNotSaved;
     save(world, i);
     world.balls[i] = islands.saved[islands.saved_at[i]];
-    world.balls[i].swept = Box();
+    forgetFlown(world, i);
     world.balls[i].met = false;
     world.balls[i].next_ball = Event();
   }
@@ -156,7 +161,7 @@ bool metNobodyElse(WorldState& world, const Window& window)
   bool nobody = true;
   const auto lookAt = [&](std::size_t i, std::uint32_t k) {
     if (rootOf(islands, k) == root || world.balls[k].squeezed || !islands.swept[k].overlaps(islands.swept[i])) return;
-    islands.near.push_back(k);
+    if (metInFlight(world, window, i, k)) islands.near.push_back(k);
   };
   islands.near.clear();
   for (const std::size_t i : islands.members)
@@ -210,11 +215,26 @@ void undo(WorldState& world, std::size_t first_contact)
   world.contact_of.resize(first_contact);
 }
 
+// By time, ties by ball. Contacts are large: their order is found first, and each is moved once.
 void sortContacts(WorldState& world, std::size_t first)
 {
-  const auto earlier = [](const Contact& a, const Contact& b) { return a.time != b.time ? a.time < b.time : a.ball < b.ball; };
-  if (std::is_sorted(world.contacts.begin() + static_cast<std::ptrdiff_t>(first), world.contacts.end(), earlier)) return;
-  std::sort(world.contacts.begin() + static_cast<std::ptrdiff_t>(first), world.contacts.end(), earlier);
+  std::vector<IslandRecords::Place>& order = world.islands.order;
+  order.clear();
+  bool sorted = true;
+  for (std::size_t c = first; c < world.contacts.size(); ++c)
+  {
+    order.push_back({world.contacts[c].time, world.contacts[c].ball, static_cast<std::uint32_t>(c)});
+    sorted &= c == first || !(order.back() < order[order.size() - 2]);
+  }
+  if (sorted) return;
+  std::sort(order.begin(), order.end());
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    std::size_t from = order[k].contact;
+    while (from < first + k) from = order[from - first].contact;  // it has been moved away from there
+    order[k].contact = static_cast<std::uint32_t>(from);
+    std::swap(world.contacts[first + k], world.contacts[from]);
+  }
 }
 
 // False if nothing was done, since the window was too long.
@@ -246,14 +266,15 @@ void runIslands(WorldState& world, double end)
   IslandRecords& islands = world.islands;
   for (double start = world.time; start < end;)
   {
-    const double window_end = start + 1.5 * islands.length < end ? start + islands.length : end;
+    const bool whole = start + 1.5 * islands.length < end;  // else it ends with the tick, whatever its length should be
+    const double window_end = whole ? start + islands.length : end;
     islands.pair_searches = 0;
     const bool done = runWindow(world, {start, window_end, end, nullptr, 0, true});
     const double searches = static_cast<double>(islands.pair_searches) / static_cast<double>(world.balls.size());
     if (!done || searches > kManySearches)
       islands.length = std::max(0.5 * std::min(islands.length, window_end - start), kShortestWindow);
-    else if (searches < kFewSearches && window_end - start >= islands.length)
-      islands.length *= 2.0;
+    else if (searches < kFewSearches && (whole || window_end - start >= islands.length))
+      islands.length *= searches == 0.0 ? 8.0 : 2.0;
     if (done) start = window_end;
   }
 }

@@ -45,8 +45,9 @@ Vector3d bounce(const Surface& law, const BallParams& ball, BallState& state, co
   const double closing = -n_W.dot(relative);
   if (closing <= 0.0) return Vector3d::Zero();
   count(Law::Restitution);
-  const double normal = (1.0 + law.restitutionAt(closing)) * ball.mass * closing;
-  state.v_WB += normal / ball.mass * n_W;
+  const double change = (1.0 + law.restitutionAt(closing)) * closing;
+  const double normal = ball.mass * change;
+  state.v_WB += change * n_W;
   if (law.friction == 0.0) return normal * n_W;
   count(Law::Slip);
   const Vector3d slip = tangential(relative, n_W) - ball.radius * state.w_WB.cross(n_W);

@@ -52,6 +52,9 @@ void IslandRecords::reserve(std::size_t balls)
   for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) list->reserve(8 * balls);
   settled.reserve(balls);
   members.reserve(balls);
+  order.reserve(256 + 8 * balls);
+  last_piece.reserve(balls);
+  pieces.reserve(256 + 4 * balls);
 }
 
 void placeBody(BodyRecord& body, Pose pose)

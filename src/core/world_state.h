@@ -1,9 +1,11 @@
 // What the methods share: every ball, every body, and the records of the tick.
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include "broad_phase.h"
+#include "parabola.h"
 #include "ping_pong_sim/contact.h"
 #include "ping_pong_sim/detect.h"
 #include "ping_pong_sim/scene.h"
@@ -96,6 +98,29 @@ struct BodyRecord
 /// What the exact method keeps from window to window, see islands.h.
 struct IslandRecords
 {
+  static constexpr std::uint32_t kNoPiece = ~0u;
+
+  /// Of a ball's flight in this window.
+  struct Piece
+  {
+    Parabola path;
+    double until;           ///< [s]
+    std::uint32_t earlier;  ///< index of the ball's piece before, or kNoPiece
+    bool parabola;          ///< else the path is of another kind, and not known here
+  };
+
+  /// Of a contact in the order of a window's contacts.
+  struct Place
+  {
+    double time;
+    BallId ball;
+    std::uint32_t contact;  ///< its index
+    bool operator<(const Place& other) const
+    {
+      return std::tie(time, ball, contact) < std::tie(other.time, other.ball, other.contact);
+    }
+  };
+
   static constexpr std::uint32_t kNotSaved = ~0u;
 
   static constexpr double kFirstLength = 0.02;  // [s]
@@ -114,6 +139,9 @@ struct IslandRecords
   std::vector<std::size_t> members;        ///< the island at work
   std::vector<std::uint32_t> found, near;  ///< balls in whose way an island's ball has come
   std::vector<std::uint32_t> hit;          ///< balls that another one has thrown off their path
+  std::vector<Piece> pieces;               ///< flown in this window, see flown.h
+  std::vector<std::uint32_t> last_piece;   ///< index in `pieces`, by ball
+  std::vector<Place> order;                ///< of the window's contacts
 
   /// Takes the memory for so many balls now, not while the world moves on.
   void reserve(std::size_t balls);

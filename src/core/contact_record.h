@@ -1,0 +1,48 @@
+// The list of contacts of a tick.
+#pragma once
+
+#include "world_state.h"
+
+namespace ping_pong
+{
+/// A new record at the end of the list, to be filled in place.
+inline Contact& newContact(WorldState& world, std::size_t i)
+{
+  world.contacts.emplace_back();
+  world.contact_of.push_back(static_cast<std::uint32_t>(i));
+  ++world.status.contacts;
+  return world.contacts.back();
+}
+
+/// What an impact changes of a ball.
+struct Impact
+{
+  const Vector3d& p_WB;
+  const Vector3d& v_before;
+  const Vector3d& v_after;
+  const Vector3d& w_before;
+  const Vector3d& w_after;
+};
+
+/// Ball i has hit a body.
+/// @param n_W  normal of the surface, towards the ball
+/// @param u  velocity of the touched point of the body
+inline void recordBodyContact(WorldState& world, std::size_t i, const Event& event, const Impact& impact, const Vector3d& n_W,
+                              const Vector3d& u, double t)
+{
+  const BallRecord& ball = world.balls[i];
+  Contact& contact = newContact(world, i);
+  contact.time = t;
+  contact.ball = ball.id;
+  contact.body = event.other;
+  contact.shape = event.shape;
+  contact.p_WC = impact.p_WB - ball.params.radius * n_W;
+  contact.n_W = n_W;
+  contact.v_before = impact.v_before;
+  contact.v_after = impact.v_after;
+  contact.w_before = impact.w_before;
+  contact.w_after = impact.w_after;
+  contact.v_other = u;
+  contact.impulse = ball.params.mass * (impact.v_after - impact.v_before);
+}
+}  // namespace ping_pong

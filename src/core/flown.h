@@ -1,0 +1,17 @@
+// What each ball has flown in a window of time so far, piece by piece: who comes too near later finds here whether they met.
+#pragma once
+
+#include "exact_method.h"
+
+namespace ping_pong
+{
+/// To be called before ball i leaves its path at time t.
+void noteFlown(WorldState& world, const Window& window, std::size_t i, double t);
+
+/// As if ball i had not flown in this window.
+void forgetFlown(WorldState& world, std::size_t i);
+
+/// Whether balls i and k, flown apart, come into each other's way in the window. A piece that is no parabola may say so too
+/// often.
+bool metInFlight(const WorldState& world, const Window& window, std::size_t i, std::size_t k);
+}  // namespace ping_pong

@@ -1,0 +1,49 @@
+// When two balls in free flight under the same acceleration meet: a quadratic, solved without cancellation.
+#pragma once
+
+#include <cmath>
+
+#include "march.h"
+#include "ping_pong_sim/segment.h"
+
+namespace ping_pong
+{
+/// p + v s + half_a s^2 with s = t - start.
+struct Parabola
+{
+  double start = 0.0;
+  Vector3d p, v, half_a;
+};
+
+inline bool isParabola(const Segment& path)
+{
+  return path.degree == 2;
+}
+
+/// Of a path of degree 2.
+inline Parabola asParabola(const Segment& path)
+{
+  return {path.start, path.c[0], path.c[1], path.c[2]};
+}
+
+/// First contact in [from, until] of balls whose radii add up to `reach`; both have the same half_a.
+inline Detection firstContact(const Parabola& a, const Parabola& b, double reach, double from, double until)
+{
+  const double s1 = from - a.start;
+  const double s2 = from - b.start;
+  const Vector3d p1 = a.p + s1 * (a.v + s1 * a.half_a);
+  const Vector3d p2 = b.p + s2 * (b.v + s2 * b.half_a);
+  const Vector3d d = p1 - p2;
+  const Vector3d u = a.v - b.v + (2.0 * (s1 - s2)) * a.half_a;
+  const double closing = d.dot(u);  // half the derivative of |d|^2
+  if (closing >= -kNoClosingSpeed * reach) return {};
+  const double distance = d.norm();
+  const double c = (distance - reach) * (distance + reach);
+  if (distance - reach <= touchTolerance(p1, reach)) return {from, false};
+  const double discriminant = closing * closing - u.squaredNorm() * c;
+  if (discriminant < 0.0) return {};
+  const double t = from + c / (std::sqrt(discriminant) - closing);
+  if (t > until) return {};
+  return {t, false};
+}
+}  // namespace ping_pong

@@ -1,0 +1,89 @@
+// The short way through a bounce leaves the same bits as the general one, which a paddle that moves somewhere far away enforces.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "scene_builder.h"
+
+namespace ping_pong
+{
+namespace
+{
+struct Course
+{
+  std::vector<Contact> contacts;
+  BallState end;
+};
+
+Course courseOf(Scene scene, bool short_way, double duration)
+{
+  if (!short_way)
+  {
+    SceneBuilder far;
+    scene.bodies.push_back(far.paddle("far", boxShape({0.1, 0.1, 0.1}), at({0, 1e3, 1e3})).build().bodies.back());
+  }
+  World world(scene);
+  if (!short_way) world.command(world.bodyCount() - 1, velocityCommand({0, 0, 1e-3}, {0, 0, 0}));
+  Course course;
+  for (int tick = 0; tick < 20; ++tick)
+  {
+    world.advance(duration / 20.0);
+    course.contacts.insert(course.contacts.end(), world.contacts().begin(), world.contacts().end());
+  }
+  course.end = world.ballState(0);
+  return course;
+}
+
+bool sameBits(const Vector3d& a, const Vector3d& b)
+{
+  return std::memcmp(a.data(), b.data(), sizeof(double) * 3) == 0;
+}
+
+void expectSameBits(const Scene& scene, double duration, std::size_t least_contacts)
+{
+  const Course quick = courseOf(scene, true, duration), general = courseOf(scene, false, duration);
+  EXPECT_GE(quick.contacts.size(), least_contacts);
+  ASSERT_EQ(quick.contacts.size(), general.contacts.size());
+  for (std::size_t i = 0; i < quick.contacts.size(); ++i)
+  {
+    const Contact &a = quick.contacts[i], &b = general.contacts[i];
+    ASSERT_EQ(a.time, b.time) << i;
+    ASSERT_TRUE(sameBits(a.p_WC, b.p_WC) && sameBits(a.v_before, b.v_before) && sameBits(a.v_after, b.v_after)) << i;
+    ASSERT_TRUE(sameBits(a.impulse, b.impulse) && sameBits(a.n_W, b.n_W) && sameBits(a.w_after, b.w_after)) << i;
+  }
+  EXPECT_TRUE(sameBits(quick.end.p_WB, general.end.p_WB));
+  EXPECT_TRUE(sameBits(quick.end.v_WB, general.end.v_WB));
+}
+
+TEST(Hop, ElasticBouncesForAMinute)
+{
+  expectSameBits(SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 0.3}, {0.5, -0.1, 0.2}).build(), 60.0, 100);
+}
+
+TEST(Hop, BouncesThatEndAtRest)
+{
+  expectSameBits(SceneBuilder().gravity(kG).floor().restitution(0.7).ball({0, 0, 1.0}, {0.3, 0, 0}).build(), 6.0, 20);
+}
+
+TEST(Hop, AnObliqueField)
+{
+  Scene scene = SceneBuilder().gravity(kG).floor().restitution(0.9).ball({0, 0, 0.7}, {0.1, 0.2, 0.3}).build();
+  scene.forces.gravity = {0.7, -0.3, -9.7};
+  scene.surfaces.set(scene.balls[0].params.material, scene.bodies[0].shapes[0].material, [] {
+    Surface law;
+    law.restitution = 0.95;
+    law.restitution_slope = 0.01;
+    return law;
+  }());
+  expectSameBits(scene, 20.0, 30);
+}
+
+TEST(Hop, FlightsLongerThanTheHorizonAndABoxOnTheWay)
+{
+  expectSameBits(SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 40.0}, {0.5, 0, 0}).build(), 60.0, 5);
+  expectSameBits(
+      SceneBuilder().gravity(kG).floor().restitution(1.0).box("box", {0.2, 1, 0.2}, at({2, 0, 0.3})).ball({0, 0, 0.5}, {0.5, 0, 0}).build(),
+      20.0, 20);
+}
+}  // namespace
+}  // namespace ping_pong
