@@ -178,6 +178,24 @@ TEST_F(Light, ASimulatorThatGoesAndComesBackIsTold)
   EXPECT_TRUE(window_->answers(hands_));
 }
 
+// It is there, its connections are, and it answers nobody.
+TEST_F(Light, NobodyWaitsForASimulatorThatIsStopped)
+{
+  simulator_->send(SIGSTOP);
+  hands_.clear();
+  RvizWindow::type("space");
+  EXPECT_TRUE(hands_.waitFor([](const HandsState& s) { return s.note == "the simulator does not answer"; }, 4.0));
+  hands_.clear();
+  RvizWindow::type("h");
+  EXPECT_TRUE(hands_.waitFor([](const HandsState& s) { return s.help; }, 4.0)) << "the keys still work";
+  RvizWindow::type("h");
+  simulator_->send(SIGCONT);
+  hands_.clear();
+  EXPECT_TRUE(hands_.waitFor([](const HandsState& s) { return s.note.empty(); }));
+  hands_.clear();
+  EXPECT_TRUE(window_->answers(hands_));
+}
+
 int main(int argc, char** argv)
 {
   return sim_test::runTests(argc, argv, "test_light");
