@@ -41,8 +41,8 @@ struct Points
   static constexpr int kLast = N < 6 ? 3 : 4;  // Legendre coefficients that tell of the error
 
   Vector nodes;
-  Matrix to_powers;  // accelerations at the nodes -> coefficients of tau^k
-  Matrix integral;   // accelerations at the nodes -> their integral from 0 to each node
+  Matrix to_powers;                         // accelerations at the nodes -> coefficients of tau^k
+  Matrix integral;                          // accelerations at the nodes -> their integral from 0 to each node
   Eigen::Matrix<double, kLast, N> to_last;  // accelerations at the nodes -> last Legendre coefficients
 
   Points()
@@ -102,15 +102,16 @@ struct Points
 // Where the coefficients fall fast, the error is this part of the last one's share or less.
 template <int N>
 constexpr double kShareOfLast = N < 6 ? 2e-2 : 1e-2;
-constexpr double kSweepsShare = 0.1;   // of the tolerance, left to the sweeps
+constexpr double kSweepsShare = 0.1;  // of the tolerance, left to the sweeps
 constexpr int kMaxSweeps = 40;
-constexpr double kLongestPiece = 1.0;  // [s]
+constexpr double kLongestPiece = 1.0;                                // [s]
 constexpr double kNoKink = std::numeric_limits<double>::infinity();  // [s]
-constexpr double kRally = 1.0;         // an error of the velocity lasts so long [s]
+constexpr double kRally = 1.0;                                       // an error of the velocity lasts so long [s]
 
-// Error of the position a second later. Smooth accelerations have Legendre coefficients that fall as rho^k: the next ones
-// hardly count, and at the end of the piece, where Gauss points are of order 2 N, still less. Where they do not fall (the ball
-// turns round at no air speed, or passes a node of a table) as much as the last ones is left out, at the end as well.
+// Error of the position a second later. Smooth accelerations have Legendre coefficients that fall as rho^k: the next
+// ones hardly count, and at the end of the piece, where Gauss points are of order 2 N, still less. Where they do not
+// fall (the ball turns round at no air speed, or passes a node of a table) as much as the last ones is left out, at the
+// end as well.
 template <int N>
 double errorOf(const typename FlightModel::Rows<N>& a, double h, const Points<N>& points)
 {
@@ -125,9 +126,11 @@ double errorOf(const typename FlightModel::Rows<N>& a, double h, const Points<N>
   return h * std::sqrt(std::max(b3, rho2 * b2)) * (std::max(kShareOfLast<N>, rough) * h + rough * rough * kRally);
 }
 
-// Velocities at the nodes to begin with: of the piece that was too long, or from a0 and how the acceleration changes along it.
+// Velocities at the nodes to begin with: of the piece that was too long, or from a0 and how the acceleration changes
+// along it.
 template <int N>
-typename FlightModel::Rows<N> firstGuess(const FlightModel& model, const Segment& path, double h, const Points<N>& points)
+typename FlightModel::Rows<N> firstGuess(const FlightModel& model, const Segment& path, double h,
+                                         const Points<N>& points)
 {
   typename FlightModel::Rows<N> v;
   if (path.degree == N + 1)
@@ -196,7 +199,7 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
 }
 
 constexpr double kCostOfATurn = 1e-4;  // more than a piece across such a turn is ever wrong by [m]
-constexpr double kTooSoon = 1e-7;  // a kink that close to the start is the one that the last piece ended at [s]
+constexpr double kTooSoon = 1e-7;      // a kink that close to the start is the one that the last piece ended at [s]
 
 // First time on the piece at which `beyond` is true, which is false at its start: to 1e-12 s, if some look sees it.
 template <typename Beyond>

@@ -36,10 +36,7 @@ std::set<std::string> wantedNames(const SimStatus& status)
 }  // namespace
 
 Handles::Handles(const std::string& simulator, std::shared_ptr<tf2_ros::Buffer> frames)
-    : link_(nh_, simulator, std::move(frames)),
-      server_(kTopic),
-      menus_(nh_, link_),
-      throws_(nh_, link_, server_)
+    : link_(nh_, simulator, std::move(frames)), server_(kTopic), menus_(nh_, link_), throws_(nh_, link_, server_)
 {
   listeners_ = nh_.advertise<visualization_msgs::InteractiveMarkerUpdate>(std::string(kTopic) + "/update", 100);
   const boost::function<void(const PaddleStates::ConstPtr&)> follow = [this](const PaddleStates::ConstPtr& states)

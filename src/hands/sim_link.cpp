@@ -15,7 +15,7 @@ namespace ping_pong_sim
 {
 namespace
 {
-constexpr double kSilence = 2.0;  ///< without status the simulator counts as gone [s]; it sends ten a second
+constexpr double kSilence = 2.0;   ///< without status the simulator counts as gone [s]; it sends ten a second
 constexpr double kPatience = 1.0;  ///< for the answer of a simulator that speaks [s]
 }  // namespace
 
@@ -68,7 +68,8 @@ std::string SimLink::call(const std::string& name, Service& exchange)
     late = true;
     client.shutdown();
   };
-  if (!deadline_.run(kPatience, [&] { return client.call(exchange); }, abort))
+  if (!deadline_.run(
+          kPatience, [&] { return client.call(exchange); }, abort))
   {
     clients_.erase(name);
     if (!late) return "no answer from " + simulator_ + "/" + name;

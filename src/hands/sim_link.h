@@ -33,8 +33,8 @@ public:
   /// Why there is no status, for people; empty: there is one.
   std::string trouble() const;
 
-  /// What went wrong, for people; empty: done. Never waits for a simulator that is not there, and a second at most for one
-  /// that does not answer.
+  /// What went wrong, for people; empty: done. Never waits for a simulator that is not there, and a second at most for
+  /// one that does not answer.
   template <class Service>
   std::string call(const std::string& name, Service& exchange);
 

@@ -161,8 +161,8 @@ private:
   std::unique_ptr<Child> rviz_;
 };
 
-/// Tests in one window beside the simulator of the .test file: each begins with a running world at its start, seen by the
-/// player (F1), away being +x.
+/// Tests in one window beside the simulator of the .test file: each begins with a running world at its start, seen by
+/// the player (F1), away being +x.
 class InRviz : public testing::Test
 {
 protected:
