@@ -9,7 +9,9 @@ if(CORE_ONLY)
 endif()
 
 find_package(tf2_ros REQUIRED)
-add_library(${PROJECT_NAME}_operator STATIC src/hands/operator.cpp src/hands/paddle_glide.cpp src/hands/sim_link.cpp)
+add_library(${PROJECT_NAME}_operator STATIC
+  src/hands/call_deadline.cpp src/hands/operator.cpp src/hands/paddle_glide.cpp src/hands/selection.cpp
+  src/hands/sim_link.cpp src/hands/steady_move.cpp)
 set_target_properties(${PROJECT_NAME}_operator PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_include_directories(${PROJECT_NAME}_operator SYSTEM PUBLIC
   ${CATKIN_DEVEL_PREFIX}/include ${catkin_INCLUDE_DIRS} ${tf2_ros_INCLUDE_DIRS})
@@ -22,6 +24,7 @@ set_target_properties(${PROJECT_NAME}_teleop PROPERTIES OUTPUT_NAME teleop)
 target_link_libraries(${PROJECT_NAME}_teleop PRIVATE
   ${PROJECT_NAME}_operator ${PROJECT_NAME}_ros ${PROJECT_NAME}_options)
 install(TARGETS ${PROJECT_NAME}_teleop RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(PROGRAMS scripts/view DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 # For RViz. Without its headers the simulator is built without them.
 find_package(rviz QUIET)
@@ -31,7 +34,8 @@ if(NOT rviz_FOUND OR NOT interactive_markers_FOUND)
   return()
 endif()
 add_executable(${PROJECT_NAME}_handles
-  src/hands/handle_markers.cpp src/hands/handles.cpp src/hands/handles_main.cpp src/hands/paddle_drag.cpp)
+  src/hands/ball_throws.cpp src/hands/handle_markers.cpp src/hands/handle_menus.cpp src/hands/handles.cpp
+  src/hands/handles_main.cpp src/hands/paddle_drag.cpp)
 set_target_properties(${PROJECT_NAME}_handles PROPERTIES OUTPUT_NAME handles)
 target_include_directories(${PROJECT_NAME}_handles SYSTEM PRIVATE ${interactive_markers_INCLUDE_DIRS})
 target_link_libraries(${PROJECT_NAME}_handles PRIVATE

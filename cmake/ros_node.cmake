@@ -3,6 +3,7 @@ add_library(${PROJECT_NAME}_ros
   src/ros/ball_feed.cpp
   src/ros/ball_markers.cpp
   src/ros/blob_shadows.cpp
+  src/ros/soft_shadow.cpp
   src/ros/body_markers.cpp
   src/ros/command_mailbox.cpp
   src/ros/contact_flashes.cpp

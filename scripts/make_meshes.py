@@ -380,22 +380,6 @@ def table_frame():
     return mesh
 
 
-def table_shadow(layers=24):
-    """Rounded sheets over each other. In the clear black of the URDF file they add up to a soft shadow."""
-    mesh = Mesh()
-    material = Material('shadow', (0, 0, 0), glow=0)
-    for layer in range(layers):
-        length, width = 3.4 - 1.3 * layer / layers, 2.2 - 1.3 * layer / layers
-        ring = []
-        for k in range(64):
-            a = 2 * math.pi * (k + 0.5) / 64
-            c, s = math.cos(a), math.sin(a)
-            ring.append((length / 2 * math.copysign(abs(c) ** 0.4, c), width / 2 * math.copysign(abs(s) ** 0.4, s),
-                         0.0001 * layer))
-        mesh.fan(material, ring, (0, 0, 1), steps=1)
-    return mesh
-
-
 def floor():
     """Sports floor, lit over the table and lost in the dark of the hall at its rim."""
     mesh = Mesh()
@@ -597,7 +581,7 @@ def main():
 
     def path(name):
         return os.path.join(folder, name)
-    for draw in (table_top, table_frame, table_shadow, net, net_posts, paddle, tray, floor):
+    for draw in (table_top, table_frame, net, net_posts, paddle, tray, floor):
         draw().write(path(draw.__name__ + '.dae'))
     write_png(path('table_top.png'), 512, 256, table_pixel(512, 256))
     write_png(path('floor.png'), 256, 256, floor_pixel(256))

@@ -9,13 +9,13 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kLift = 1e-12;          // height of bounces that no longer count [m]
+constexpr double kLift = 1e-12;             // height of bounces that no longer count [m]
 constexpr double kLiftInTolerances = 32.0;  // or this many touch tolerances, far from the origin
-constexpr double kKeepGap = 1e-6;        // a support is left from further than this [m]
-constexpr double kStillSpeed = 1e-12;    // below: rounding, the ball lies still [m/s]
-constexpr double kStillFraction = 1e-12; // tangential acceleration below this part of the free one is rounding
-constexpr double kPiece = 2.5e-4;        // longest quintic piece on a curved or turning surface [s]
-constexpr double kFlatPiece = 2e-3;      // and on one flat face, where only air and turning slip bend the path [s]
+constexpr double kKeepGap = 1e-6;           // a support is left from further than this [m]
+constexpr double kStillSpeed = 1e-12;       // below: rounding, the ball lies still [m/s]
+constexpr double kStillFraction = 1e-12;    // tangential acceleration below this part of the free one is rounding
+constexpr double kPiece = 2.5e-4;           // longest quintic piece on a curved or turning surface [s]
+constexpr double kFlatPiece = 2e-3;         // and on one flat face, where only air and turning slip bend the path [s]
 constexpr int kProjections = 8;
 constexpr double kShortestPiece = 1e-9;  // [s]
 
@@ -119,7 +119,8 @@ BallState heldStep(const WorldState& world, const BallRecord& ball, const BallSt
     Vector3d v, a, alpha;
   };
   AccelerationBounds bounds;
-  const auto slope = [&](const Slope& before, double part) {
+  const auto slope = [&](const Slope& before, double part)
+  {
     BallState at = start;
     at.p_WB += part * h * before.v;
     at.v_WB += part * h * before.a;
@@ -139,7 +140,8 @@ BallState heldStep(const WorldState& world, const BallRecord& ball, const BallSt
 }
 
 // Quintic with position, velocity and acceleration of both ends.
-void hermite(const BallState& from, const Vector3d& a0, const BallState& to, const Vector3d& a1, double h, Segment& path)
+void hermite(const BallState& from, const Vector3d& a0, const BallState& to, const Vector3d& a1, double h,
+             Segment& path)
 {
   const Vector3d p = to.p_WB - from.p_WB - h * from.v_WB - 0.5 * h * h * a0;
   const Vector3d v = h * (to.v_WB - from.v_WB - h * a0);
@@ -169,7 +171,8 @@ void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallStat
   path.boundAcceleration();
 }
 
-// A step that is far too long for the forces ends nowhere: the ball then keeps its velocity, and the status tells of it.
+// A step that is far too long for the forces ends nowhere: the ball then keeps its velocity, and the status tells of
+// it.
 void flyStep(BallRecord& ball, const BallState& state, double t, double h)
 {
   ball.path = flyRk4(state, t, ball.model, h);

@@ -2,7 +2,7 @@
 
 #include <ros/this_node.h>
 
-#include <algorithm>
+#include "selection.h"
 
 namespace ping_pong_sim
 {
@@ -11,9 +11,8 @@ namespace
 using ping_pong::Action;
 using ping_pong::Group;
 
-constexpr double kMovePeriod = 1.0 / 30.0;  ///< of steady moves, each one a service call [s]
-constexpr double kHeartbeat = 1.0;          ///< of `hands` [s]
-constexpr double kNoteLife = 4.0;           ///< [s]
+constexpr double kHeartbeat = 1.0;  ///< of `hands` [s]
+constexpr double kNoteLife = 4.0;   ///< [s]
 
 class Post : public ros::CallbackInterface
 {
@@ -34,16 +33,6 @@ ros::NodeHandle onQueue(ros::CallbackQueue& queue)
   ros::NodeHandle nh;
   nh.setCallbackQueue(&queue);
   return nh;
-}
-
-bool startsWith(const std::string& text, const std::string& start)
-{
-  return text.compare(0, start.size(), start) == 0;
-}
-
-bool isTable(const std::string& name)
-{
-  return startsWith(name, "table");
 }
 
 bool same(const HandsState& a, const HandsState& b)
@@ -141,10 +130,10 @@ void Operator::tick()
   if (any) wishChanged();
   if (state_.selected.empty()) select(Group::Paddles);
   moveSteadily(now);
-  if (link_.status() == nullptr)
-    note("no simulator");
-  else if (state_.note == "no simulator" || now > note_until_)
-    state_.note.clear();
+  const std::string trouble = link_.trouble();
+  note(trouble);
+  if (trouble.empty() && (troubled_ || now > note_until_)) state_.note.clear();
+  troubled_ = !trouble.empty();
   state_.moving = held_.any() || paddle_.moving();
   publish(now - told_at_ > kHeartbeat);
 }
@@ -185,87 +174,44 @@ void Operator::obey(const ping_pong::KeyEntry& entry)
 
 void Operator::select(Group group)
 {
-  const std::vector<std::string> names = members(group);
+  const SimStatus* status = link_.status();
+  if (status == nullptr) return;
+  const std::vector<std::string> names = members(*status, group);
   if (names.empty())
   {
-    if (link_.status() != nullptr && !state_.selected.empty()) note("this scene has none of these");
+    if (!state_.selected.empty()) note("this scene has none of these");
     return;
   }
-  const auto current = std::find(names.begin(), names.end(), state_.selected);
-  const bool next = current != names.end() && std::next(current) != names.end();
-  state_.selected = next ? *std::next(current) : names.front();
-  moved_at_ = 0.0;
-  paddle_.take(isPaddle(state_.selected) ? state_.selected : "");
+  state_.selected = nextOf(names, state_.selected);
+  steady_.stop();
+  paddle_.take(isPaddle(*status, state_.selected) ? state_.selected : "");
   wishChanged();
-}
-
-std::vector<std::string> Operator::members(Group group) const
-{
-  const SimStatus* status = link_.status();
-  std::vector<std::string> names;
-  if (status == nullptr) return names;
-  const auto collect = [&](const std::vector<std::string>& from, auto wanted)
-  { std::copy_if(from.begin(), from.end(), std::back_inserter(names), wanted); };
-  if (group == Group::Balls)
-  {
-    for (const std::uint32_t id : status->ball_ids) names.push_back("ball_" + std::to_string(id));
-  }
-  if (group == Group::Paddles) names = status->paddles;
-  if (group == Group::Table) collect(status->furniture, isTable);
-  if (group == Group::Walls) collect(status->furniture, [](const std::string& name) { return !isTable(name); });
-  if (group == Group::Light) collect(status->props, [](const std::string& name) { return startsWith(name, "light"); });
-  if (group == Group::Camera)
-    collect(status->props, [](const std::string& name) { return startsWith(name, "camera"); });
-  return names;
-}
-
-bool Operator::isPaddle(const std::string& name) const
-{
-  const SimStatus* status = link_.status();
-  return status != nullptr && std::count(status->paddles.begin(), status->paddles.end(), name) > 0;
 }
 
 // While the world stands still a paddle cannot be swung, but put elsewhere like everything else.
 bool Operator::gliding() const
 {
-  return isPaddle(state_.selected) && !link_.status()->paused;
+  const SimStatus* status = link_.status();
+  return status != nullptr && !status->paused && isPaddle(*status, state_.selected);
+}
+
+Eigen::Matrix3d Operator::axes() const
+{
+  return params_.world_axes ? Eigen::Matrix3d::Identity() : axes_;
 }
 
 void Operator::wishChanged()
 {
-  const Eigen::Matrix3d axes = params_.world_axes ? Eigen::Matrix3d::Identity() : axes_;
-  paddle_.wish(gliding() ? held_.wish() : ping_pong::Wish(), axes, params_.glide);
+  paddle_.wish(gliding() ? held_.wish() : ping_pong::Wish(), axes(), params_.glide);
 }
 
 void Operator::moveSteadily(double now)
 {
   const ping_pong::Wish wish = held_.wish();
   if (wish.isZero() || state_.selected.empty() || gliding())
-  {
-    moved_at_ = 0.0;
-    return;
-  }
-  if (moved_at_ == 0.0)
-  {
-    const std::optional<FramePose> pose = link_.pose(state_.selected);
-    if (!pose) return note("nobody knows where " + state_.selected + " is");
-    moved_to_ = *pose;
-    moved_at_ = now - kMovePeriod;
-  }
-  const double dt = std::min(now - moved_at_, 3.0 * kMovePeriod);
-  if (dt < kMovePeriod) return;
-  moved_at_ = now;
-  const Eigen::Matrix3d axes = params_.world_axes ? Eigen::Matrix3d::Identity() : axes_;
-  moved_to_.p += params_.glide.speed * dt * (axes * wish.move);
-  const Eigen::Vector3d turn = params_.glide.angular_speed * dt * (axes * wish.turn);
-  if (!turn.isZero(0.0)) moved_to_.q = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * moved_to_.q;
-  moved_to_.q.normalize();
-  const std::optional<std::uint32_t> ball = ballOfFrame(state_.selected);
-  const Eigen::Vector3d still = Eigen::Vector3d::Zero();
-  const std::string refusal =
-      ball ? link_.place(*ball, moved_to_, still, still) : link_.place(state_.selected, moved_to_);
-  if (!refusal.empty()) moved_at_ = 0.0;
-  note(refusal);
+    steady_.stop();
+  else
+    note(steady_.go(link_, state_.selected, wish, axes(), params_.glide, now));
 }
 
 void Operator::note(const std::string& text)

@@ -7,12 +7,12 @@
 #include <memory>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "held_keys.h"
 #include "paddle_glide.h"
 #include "ping_pong_sim/HandsState.h"
 #include "sim_link.h"
+#include "steady_move.h"
 
 namespace ping_pong_sim
 {
@@ -49,29 +49,28 @@ private:
   void tick();
   void obey(const ping_pong::KeyEntry& entry);
   void select(ping_pong::Group group);
-  std::vector<std::string> members(ping_pong::Group group) const;
   void wishChanged();
   void moveSteadily(double now);
   void note(const std::string& text);
   void onOther(const HandsState::ConstPtr& other);
   void publish(bool always);
-  bool isPaddle(const std::string& name) const;
   bool gliding() const;
+  Eigen::Matrix3d axes() const;
 
   ros::CallbackQueue queue_;
   ros::NodeHandle nh_;
   SimLink link_;
   PaddleGlide paddle_;
+  SteadyMove steady_;
   ping_pong::HeldKeys held_;
   OperatorParams params_;
-  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();  ///< the viewer's
   Tell tell_;
   HandsState state_;
   HandsState told_;
   double told_at_ = 0.0;     ///< wallSeconds()
   double note_until_ = 0.0;  ///< wallSeconds()
-  double moved_at_ = 0.0;    ///< wallSeconds(), of the last steady move; 0: none goes on
-  FramePose moved_to_;       ///< where that put the object
+  bool troubled_ = false;    ///< the simulator was away in the last tick
   ros::Publisher hands_;
   ros::Subscriber others_;
   ros::Subscriber paddles_;

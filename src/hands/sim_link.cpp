@@ -15,7 +15,8 @@ namespace ping_pong_sim
 {
 namespace
 {
-constexpr double kSilence = 2.0;  ///< without status the simulator counts as gone [s]; it sends ten a second
+constexpr double kSilence = 2.0;   ///< without status the simulator counts as gone [s]; it sends ten a second
+constexpr double kPatience = 1.0;  ///< for the answer of a simulator that speaks [s]
 }  // namespace
 
 double wallSeconds()
@@ -39,6 +40,7 @@ SimLink::SimLink(const ros::NodeHandle& nh, const std::string& simulator, std::s
   {
     status_ = *message;
     status_at_ = wallSeconds();
+    answers_ = true;
   };
   status_topic_ = nh_.subscribe<SimStatus>("status", 1, keep);
 }
@@ -48,16 +50,33 @@ const SimStatus* SimLink::status() const
   return status_ && wallSeconds() - status_at_ < kSilence ? &*status_ : nullptr;
 }
 
+std::string SimLink::trouble() const
+{
+  if (status() != nullptr) return "";
+  return answers_ ? "no simulator" : "the simulator does not answer";
+}
+
 template <class Service>
 std::string SimLink::call(const std::string& name, Service& exchange)
 {
-  if (status() == nullptr) return "no simulator";
+  if (status() == nullptr) return trouble();
   ros::ServiceClient& client = clients_[name];
   if (!client.isValid()) client = nh_.serviceClient<Service>(simulator_ + "/" + name, true);
-  if (!client.call(exchange))
+  bool late = false;
+  const auto abort = [&late, client]() mutable
+  {
+    late = true;
+    client.shutdown();
+  };
+  if (!deadline_.run(
+          kPatience, [&] { return client.call(exchange); }, abort))
   {
     clients_.erase(name);
-    return "no answer from " + simulator_ + "/" + name;
+    if (!late) return "no answer from " + simulator_ + "/" + name;
+    // Until it speaks again nobody waits for it.
+    answers_ = false;
+    status_.reset();
+    return trouble();
   }
   return exchange.response.success ? "" : exchange.response.message;
 }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "call_deadline.h"
 #include "messages.h"
 #include "ping_pong_sim/SimStatus.h"
 
@@ -29,8 +30,11 @@ public:
   ros::NodeHandle& nh() { return nh_; }
   /// The last status; nothing before the first one, and once it has been silent for two seconds.
   const SimStatus* status() const;
+  /// Why there is no status, for people; empty: there is one.
+  std::string trouble() const;
 
-  /// What went wrong, for people; empty: done. Never waits for a simulator that is not there.
+  /// What went wrong, for people; empty: done. Never waits for a simulator that is not there, and a second at most for
+  /// one that does not answer.
   template <class Service>
   std::string call(const std::string& name, Service& exchange);
 
@@ -51,8 +55,10 @@ private:
   std::string simulator_;
   std::shared_ptr<tf2_ros::Buffer> frames_;
   std::map<std::string, ros::ServiceClient> clients_;
+  CallDeadline deadline_;
   std::optional<SimStatus> status_;
   double status_at_ = 0.0;  ///< wallSeconds()
+  bool answers_ = true;     ///< false: the last call was in vain, and no status came since
   ros::Subscriber status_topic_;
 };
 

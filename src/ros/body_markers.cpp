@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "soft_shadow.h"
+
 namespace ping_pong_sim
 {
 namespace
@@ -128,6 +130,7 @@ void appendBody(const ping_pong::Body& body, Markers& markers)
     setPose(visual->origin, marker);
     if (!visual->geometry || !setGeometry(*visual->geometry, body.urdf_path, marker)) continue;
     setMaterial(*visual, *model, marker);
+    if (visual->material_name == kSoftShadow && marker.type == Marker::CUBE) makeSoft(marker);
     markers.push_back(marker);
   }
 }

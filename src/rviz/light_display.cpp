@@ -66,7 +66,7 @@ LightDisplay::LightDisplay()
   headlight_off_ = flag("Replace Headlight", true, "RViz's own light at the viewer is off while this one is on.");
   casts_ = flag("Cast Shadows", false, "Shadows cost about half of the frame rate without a GPU.");
   shade_ = number("Shade", 0.45f, 1.0f, "How much light stays in a shadow.");
-  silent_ = new rviz::StringProperty("No Shadow From", "table_frame table_shadow",
+  silent_ = new rviz::StringProperty("No Shadow From", "table_frame",
                                      "Parts of mesh names: what would throw a shadow on the surface above it.", this,
                                      SLOT(updateLight()));
   receivers_ = new rviz::StringProperty("Receivers", "floor table_top",

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -43,6 +44,7 @@ public:
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   bool alive() const { return waitpid(pid_, nullptr, WNOHANG) == 0; }
+  void send(int signal) const { kill(pid_, signal); }
 
 private:
   pid_t pid_;
@@ -157,5 +159,27 @@ private:
   int number_ = 0;
   std::unique_ptr<Child> screen_;
   std::unique_ptr<Child> rviz_;
+};
+
+/// Tests in one window beside the simulator of the .test file: each begins with a running world at its start, seen by
+/// the player (F1), away being +x.
+class InRviz : public testing::Test
+{
+protected:
+  static void SetUpTestSuite() { window_ = std::make_unique<RvizWindow>(VIEW); }
+  static void TearDownTestSuite() { window_.reset(); }
+  void SetUp() override
+  {
+    ASSERT_TRUE(window_->answers(hands_));
+    pause(false);
+    reset();
+    RvizWindow::type("F1");
+  }
+  void TearDown() override { EXPECT_TRUE(window_->alive()); }
+
+  static inline std::unique_ptr<RvizWindow> window_;
+  ros::NodeHandle nh_;
+  Inbox<ping_pong_sim::HandsState> hands_{nh_, "hands"};
+  Frames frames_;
 };
 }  // namespace sim_test

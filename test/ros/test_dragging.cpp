@@ -18,20 +18,9 @@ namespace
 constexpr int kMiddleX = 640, kMiddleY = 416;
 constexpr double kFocusX = -0.2, kFocusZ = 0.7;
 
-class Dragging : public testing::Test
+class Dragging : public sim_test::InRviz
 {
 protected:
-  static void SetUpTestSuite() { window_ = std::make_unique<RvizWindow>(VIEW); }
-  static void TearDownTestSuite() { window_.reset(); }
-  void SetUp() override
-  {
-    ASSERT_TRUE(window_->answers(hands_));
-    sim_test::pause(false);
-    sim_test::reset();
-    RvizWindow::type("F1");
-  }
-  void TearDown() override { EXPECT_TRUE(window_->alive()); }
-
   // Waits until its handle is there too.
   void putBody(const std::string& name, double x, double y)
   {
@@ -81,14 +70,8 @@ protected:
         << name;
   }
 
-  static std::unique_ptr<RvizWindow> window_;
-  ros::NodeHandle nh_;
-  Inbox<HandsState> hands_{nh_, "hands"};
   Inbox<visualization_msgs::InteractiveMarkerUpdate> handles_{nh_, "handles/update"};
-  sim_test::Frames frames_;
 };
-
-std::unique_ptr<RvizWindow> Dragging::window_;
 }  // namespace
 
 TEST_F(Dragging, ADraggedPaddleMovesWithAVelocityAndHits)

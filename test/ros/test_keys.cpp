@@ -24,21 +24,9 @@ bool rests(const PaddleStates& states)
   return speedOf(states.paddles.at(0)) == 0.0 && states.paddles.at(0).mode == PaddleCommand::HOLD;
 }
 
-class Keys : public testing::Test
+class Keys : public sim_test::InRviz
 {
 protected:
-  static void SetUpTestSuite() { window_ = std::make_unique<RvizWindow>(VIEW); }
-  static void TearDownTestSuite() { window_.reset(); }
-
-  void SetUp() override
-  {
-    ASSERT_TRUE(window_->answers(hands_));
-    sim_test::pause(false);
-    sim_test::reset();
-    RvizWindow::type("F1");  // behind the player: away is +x
-  }
-  void TearDown() override { EXPECT_TRUE(window_->alive()); }
-
   bool select(const std::string& key, const std::string& name)
   {
     hands_.clear();
@@ -46,14 +34,8 @@ protected:
     return hands_.waitFor([&](const HandsState& s) { return s.selected == name; });
   }
 
-  static std::unique_ptr<RvizWindow> window_;
-  ros::NodeHandle nh_;
-  Inbox<HandsState> hands_{nh_, "hands"};
   Inbox<PaddleStates> paddles_{nh_, "paddles"};
-  sim_test::Frames frames_;
 };
-
-std::unique_ptr<RvizWindow> Keys::window_;
 }  // namespace
 
 TEST_F(Keys, NumbersSelectAndUnknownOnesSaySo)

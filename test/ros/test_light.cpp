@@ -97,6 +97,29 @@ protected:
     return last;
   }
 
+  // Pixels of the table, seen from above, that a ball over it darkens.
+  static int shadowOfABall()
+  {
+    RvizWindow::type("F3");      // from above
+    RvizWindow::mouse(640, 20);  // away from the view: no handles
+    putBall(0.5, -3.5, 1.0);
+    const Picture without = settled();
+    putBall(0.6, -0.2, 1.05);
+    const Picture with = settled();
+    int shadow = 0;
+    for (int y = kTop; y < kTop + kHeight; ++y)
+    {
+      for (int x = kLeft; x < kLeft + kWidth; ++x)
+      {
+        const Pixel before = without.at(x, y);
+        const Pixel after = with.at(x, y);
+        const bool on_table = before.b > 100 && before.b > 2 * before.r;
+        shadow += on_table && after.b > after.r && after.brightness() < 0.8 * before.brightness() ? 1 : 0;
+      }
+    }
+    return shadow;
+  }
+
   static std::string shipped_;
   static std::unique_ptr<sim_test::Child> simulator_;
   static std::unique_ptr<RvizWindow> window_;
@@ -111,25 +134,19 @@ std::unique_ptr<RvizWindow> Light::window_;
 
 TEST_F(Light, AShadowIsDarkerThanTheLitTable)
 {
-  RvizWindow::type("F3");      // from above
-  RvizWindow::mouse(640, 20);  // away from the view: no handles
-  putBall(0.5, -3.5, 1.0);
-  const Picture without = settled();
-  putBall(0.6, -0.2, 1.05);
-  const Picture with = settled();
-  int shadow = 0;
-  for (int y = kTop; y < kTop + kHeight; ++y)
-  {
-    for (int x = kLeft; x < kLeft + kWidth; ++x)
-    {
-      const Pixel before = without.at(x, y);
-      const Pixel after = with.at(x, y);
-      const bool on_table = before.b > 100 && before.b > 2 * before.r;
-      shadow += on_table && after.b > after.r && after.brightness() < 0.8 * before.brightness() ? 1 : 0;
-    }
-  }
+  const int shadow = shadowOfABall();
   EXPECT_GT(shadow, 20);
   EXPECT_LT(shadow, 2000);
+}
+
+TEST_F(Light, APointLightCastsShadowsToo)
+{
+  ASSERT_TRUE(load(replaced(shipped_, "Type: Spot", "Type: Point")));
+  EXPECT_TRUE(window_->answers(hands_));
+  const int shadow = shadowOfABall();
+  EXPECT_GT(shadow, 20);
+  EXPECT_LT(shadow, 2000);
+  ASSERT_TRUE(load(shipped_));
 }
 
 TEST_F(Light, SwitchedOffItLeavesRvizAsItWas)
@@ -176,6 +193,32 @@ TEST_F(Light, ASimulatorThatGoesAndComesBackIsTold)
   EXPECT_TRUE(hands_.waitFor([](const HandsState& s) { return s.note.empty(); }));
   hands_.clear();
   EXPECT_TRUE(window_->answers(hands_));
+}
+
+// It is there, its connections are, and it answers nobody.
+TEST_F(Light, NobodyWaitsForASimulatorThatIsStopped)
+{
+  simulator_->send(SIGSTOP);
+  hands_.clear();
+  RvizWindow::type("space");
+  EXPECT_TRUE(hands_.waitFor([](const HandsState& s) { return s.note == "the simulator does not answer"; }, 4.0));
+  hands_.clear();
+  RvizWindow::type("h");
+  EXPECT_TRUE(hands_.waitFor([](const HandsState& s) { return s.help; }, 4.0)) << "the keys still work";
+  RvizWindow::type("h");
+  simulator_->send(SIGCONT);
+  hands_.clear();
+  EXPECT_TRUE(hands_.waitFor([](const HandsState& s) { return s.note.empty(); }));
+  hands_.clear();
+  EXPECT_TRUE(window_->answers(hands_));
+}
+
+TEST(View, WithoutAScreenItSaysSo)
+{
+  const std::string view = std::string(VIEW) + "/../../scripts/view";
+  const std::string words = sim_test::outputOf("env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM " +
+                                               replaced(view, "/view.rviz/../..", "/..") + " 2>&1");
+  EXPECT_NE(words.find("DISPLAY is not set"), std::string::npos) << words;
 }
 
 int main(int argc, char** argv)

@@ -13,6 +13,16 @@ using sim_test::step;
 
 namespace
 {
+SetBodyPose::Response putBody(const std::string& name, double x, double z)
+{
+  SetBodyPose::Request request;
+  request.body = name;
+  request.pose.position.x = x;
+  request.pose.position.z = z;
+  request.pose.orientation.w = 1.0;
+  return sim_test::call<SetBodyPose>("set_body_pose", request);
+}
+
 class PausedWorld : public testing::Test
 {
 protected:
@@ -146,16 +156,11 @@ TEST_F(PausedWorld, SetBallStatePutsTheBallElsewhere)
 TEST_F(PausedWorld, SetBodyPoseMovesTableAndPaddle)
 {
   sim_test::Frames frames;
-  SetBodyPose::Request request;
-  request.body = "table";
-  request.pose.position.x = 4.0;
-  request.pose.orientation.w = 1.0;
-  ASSERT_TRUE(sim_test::call<SetBodyPose>("set_body_pose", request).success);
-  EXPECT_TRUE(sim_test::eventually([&] { return frames.at("table").transform.translation.x == 4.0; }));
-  request.body = "paddle";
-  request.pose.position.x = -2.0;
-  ASSERT_TRUE(sim_test::call<SetBodyPose>("set_body_pose", request).success);
-  EXPECT_TRUE(sim_test::eventually([&] { return frames.at("paddle").transform.translation.x == -2.0; }));
+  for (const auto& [name, x] : {std::pair<std::string, double>{"table", 4.0}, {"paddle", -2.0}})
+  {
+    EXPECT_TRUE(putBody(name, x, 0.0).success);
+    EXPECT_TRUE(sim_test::eventually([&, x = x, name = name] { return frames.at(name).transform.translation.x == x; }));
+  }
 }
 
 TEST_F(PausedWorld, LightsAndCamerasMoveLikeBodies)
@@ -167,14 +172,9 @@ TEST_F(PausedWorld, LightsAndCamerasMoveLikeBodies)
   EXPECT_EQ(status.last().paddles, (std::vector<std::string>{"paddle"}));
   EXPECT_EQ(status.last().furniture, (std::vector<std::string>{"table"}));
   EXPECT_EQ(status.last().ball_ids, (std::vector<std::uint32_t>{0, 1}));
-  SetBodyPose::Request request;
-  request.body = "light";
-  request.pose.position.z = 2.5;
-  request.pose.orientation.w = 1.0;
-  ASSERT_TRUE(sim_test::call<SetBodyPose>("set_body_pose", request).success);
+  EXPECT_TRUE(putBody("light", 0.0, 2.5).success);
   EXPECT_TRUE(sim_test::eventually([&] { return frames.at("light").transform.translation.z == 2.5; }));
-  request.body = "lamp";
-  const auto refused = sim_test::call<SetBodyPose>("set_body_pose", request);
+  const auto refused = putBody("lamp", 0.0, 2.5);
   EXPECT_FALSE(refused.success);
   EXPECT_NE(refused.message.find("lamp"), std::string::npos);
 }
