@@ -15,6 +15,12 @@ namespace
 // for it; until then turns add up, up to this: beyond, their rounding would show.
 constexpr double kLongestTurn = 10.0;  // [rad]
 
+// The end of a step of length h [s].
+struct Instant
+{
+  double t, h;
+};
+
 using Step = void (*)(BallState&, const FlightModel&, double);
 
 void turnNow(Segment& path)
@@ -35,6 +41,12 @@ void store(BallRecord& ball, const BallState& state)
   path.c[0] = state.p_WB;
   path.c[1] = state.v_WB;
   path.w_WB = state.w_WB;
+}
+
+// A ball that lies falls anew in every step, by what gravity adds in one: that is no impact to be reported.
+bool worthAReport(const WorldState& world, double closing, double h)
+{
+  return closing * closing > 4.0 * h * h * world.scene.forces.gravity.squaredNorm();
 }
 
 // A new record of what happens to the ball now, with its velocities before.
@@ -101,8 +113,8 @@ void flyAll(WorldState& world, double h)
 // frame.
 bool clearOf(const Shape& shape, const Vector3d& p_BQ, double radius)
 {
+  if (shape.kind == ShapeKind::HalfSpace) return shape.R_BS.col(2).dot(p_BQ - shape.p_BS) >= radius;
   const Vector3d q = shape.R_BS.transpose() * (p_BQ - shape.p_BS);
-  if (shape.kind == ShapeKind::HalfSpace) return q.z() >= radius;
   return ((q.cwiseAbs() - shape.half_size).array() >= radius).any();
 }
 
@@ -116,7 +128,7 @@ Gap gapOf(const BodyRecord& body, const Shape& shape, const BodyFrame& frame, co
 
 // Closest point, push out, reflect with loss.
 void collideWithShape(WorldState& world, BallRecord& ball, std::size_t b, std::size_t s, const BodyFrame& frame,
-                      double t)
+                      const Instant& now)
 {
   const Shape& shape = world.bodies[b].shapes()[s];
   BallState state = stateOf(ball);
@@ -124,18 +136,21 @@ void collideWithShape(WorldState& world, BallRecord& ball, std::size_t b, std::s
   if (gap.gap >= 0.0) return;
   state.p_WB -= gap.gap * gap.n_W;
   if (gap.rate >= 0.0) return store(ball, state);
-  Contact& contact = open(world, ball, t);
-  contact.body = b;
-  contact.shape = s;
-  contact.n_W = gap.n_W;
-  contact.p_WC = state.p_WB - ball.params.radius * gap.n_W;
-  contact.v_other = frame.pointVelocity(contact.p_WC);
-  bounce(world.surface(ball, shape), ball.params, state, contact.v_other, gap.n_W);
+  const Vector3d p_WC = state.p_WB - ball.params.radius * gap.n_W;
+  const Vector3d u = world.bodies[b].moving ? frame.pointVelocity(p_WC) : Vector3d::Zero();
+  Contact* contact = worthAReport(world, -gap.rate, now.h) ? &open(world, ball, now.t) : nullptr;
+  bounce(world.surface(ball, shape), ball.params, state, u, gap.n_W);
   store(ball, state);
-  close(contact, ball);
+  if (contact == nullptr) return;
+  contact->body = b;
+  contact->shape = s;
+  contact->n_W = gap.n_W;
+  contact->p_WC = p_WC;
+  contact->v_other = u;
+  close(*contact, ball);
 }
 
-void collideWithBody(WorldState& world, std::size_t b, const BodyFrame& frame, double t)
+void collideWithBody(WorldState& world, std::size_t b, const BodyFrame& frame, const Instant& now)
 {
   const BodyRecord& body = world.bodies[b];
   for (BallRecord& ball : world.balls)
@@ -145,22 +160,22 @@ void collideWithBody(WorldState& world, std::size_t b, const BodyFrame& frame, d
       if (body.moving) count(Law::MeetMoving);
       const Vector3d& p_WB = ball.path.c[0];
       const Vector3d p_BQ = body.moving ? Vector3d(frame.R_WB.transpose() * (p_WB - frame.p_WB)) : p_WB;
-      if (!clearOf(body.shapes()[s], p_BQ, ball.params.radius)) collideWithShape(world, ball, b, s, frame, t);
+      if (!clearOf(body.shapes()[s], p_BQ, ball.params.radius)) collideWithShape(world, ball, b, s, frame, now);
     }
 }
 
-void collideWithBodies(WorldState& world, double t)
+void collideWithBodies(WorldState& world, const Instant& now)
 {
   static const BodyFrame kStill;
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
   {
     const BodyMotion& motion = world.bodies[b].motion;
-    world.bodies[b].moving ? collideWithBody(world, b, frameAt(motion, t - motion.start), t)
-                           : collideWithBody(world, b, kStill, t);
+    world.bodies[b].moving ? collideWithBody(world, b, frameAt(motion, now.t - motion.start), now)
+                           : collideWithBody(world, b, kStill, now);
   }
 }
 
-void collidePair(WorldState& world, BallRecord& a, BallRecord& b, double t)
+void collidePair(WorldState& world, BallRecord& a, BallRecord& b, const Instant& now)
 {
   BallState state_a = stateOf(a), state_b = stateOf(b);
   const Vector3d d = state_a.p_WB - state_b.p_WB;
@@ -171,23 +186,26 @@ void collidePair(WorldState& world, BallRecord& a, BallRecord& b, double t)
   state_a.p_WB += share * overlap * n;
   state_b.p_WB -= (1.0 - share) * overlap * n;
   const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
+  Contact* contact = closing > 0.0 && worthAReport(world, closing, now.h) ? &open(world, a, now.t) : nullptr;
+  const Vector3d p_WC = state_a.p_WB - a.params.radius * n;
+  const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
   if (closing > 0.0)
   {
-    Contact& contact = open(world, a, t);
-    contact.with_ball = true;
-    contact.other_ball = b.id;
-    contact.n_W = n;
-    contact.p_WC = state_a.p_WB - a.params.radius * n;
-    contact.v_other = state_b.v_WB + state_b.w_WB.cross(contact.p_WC - state_b.p_WB);
     const Surface& law = world.surface(a, b);
     part(law, law.restitutionAt(closing) * closing, a.params, state_a, b.params, state_b, n);
   }
   store(a, state_a);
   store(b, state_b);
-  if (closing > 0.0) close(world.contacts.back(), a);
+  if (contact == nullptr) return;
+  contact->with_ball = true;
+  contact->other_ball = b.id;
+  contact->n_W = n;
+  contact->p_WC = p_WC;
+  contact->v_other = v_other;
+  close(*contact, a);
 }
 
-void collidePairs(WorldState& world, double t)
+void collidePairs(WorldState& world, const Instant& now)
 {
   for (std::size_t i = 0; i < world.balls.size(); ++i)
     for (std::size_t k = i + 1; k < world.balls.size(); ++k)
@@ -196,7 +214,7 @@ void collidePairs(WorldState& world, double t)
       BallRecord& a = world.balls[i];
       BallRecord& b = world.balls[k];
       const double reach = a.params.radius + b.params.radius;
-      if ((a.path.c[0] - b.path.c[0]).squaredNorm() < reach * reach) collidePair(world, a, b, t);
+      if ((a.path.c[0] - b.path.c[0]).squaredNorm() < reach * reach) collidePair(world, a, b, now);
     }
 }
 }  // namespace
@@ -208,10 +226,10 @@ void runFixedStep(WorldState& world, double end)
   const double h = duration / static_cast<double>(count);
   for (long i = 1; i <= count; ++i)
   {
-    const double to = i == count ? end : world.time + h * static_cast<double>(i);
+    const Instant now{i == count ? end : world.time + h * static_cast<double>(i), h};
     flyAll(world, h);
-    collideWithBodies(world, to);
-    collidePairs(world, to);
+    collideWithBodies(world, now);
+    collidePairs(world, now);
   }
   for (BallRecord& ball : world.balls) ball.path.start = end;
 }
