@@ -52,6 +52,8 @@ foreach(name
     cradle
     corner
     same_bits
+    crowds
+    state_hash
     islands
     edges
     grazing
