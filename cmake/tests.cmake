@@ -53,6 +53,7 @@ foreach(name
     corner
     same_bits
     crowds
+    gas
     state_hash
     islands
     edges
