@@ -156,6 +156,8 @@ scripts/play scene:=crowd balls:=3000 seed:=2
 simulate config/scenes/gas.yaml --duration 10 --balls 10000 > states.csv
 ```
 
+![The scene `crowd` in RViz](crowd.png)
+
 The rooms of `crowd` and `gas` grow with the number, so that any number meets the same conditions: that is what the chart needs. [physics.md](physics.md#crowds-as-a-gas)
 holds `gas` against kinetic theory; [ros.md](ros.md#topics) says what RViz is told of a crowd.
 
