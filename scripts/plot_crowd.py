@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/crowds.md and its chart from the CSV file of the program `crowd`.
+"""Writes docs/crowd_cost.md and its chart from the CSV file of the program `crowd`.
 
 usage: plot_crowd.py CSV DOCS
 """
@@ -145,7 +145,7 @@ def most(rows, scene):
 
 
 def write_page(about, rows, docs):
-    text = f"""# Crowds
+    text = f"""# Crowds: cost against the number of balls
 
 <!-- Written by scripts/crowd from the output of `crowd`. Change scripts/plot_crowd.py, not this page. -->
 
@@ -161,7 +161,7 @@ simulate config/scenes/gas.yaml --duration 10 --balls 10000 > states.csv
 The rooms of `crowd` and `gas` grow with the number, so that any number meets the same conditions: that is what the chart needs. [physics.md](physics.md#crowds-as-a-gas)
 holds `gas` against kinetic theory; [ros.md](ros.md#topics) says what RViz is told of a crowd.
 
-## Cost against the number of balls
+## The chart
 
 `scripts/crowd --peers` measures and writes this page. Every point is a process of its own, the cheapest of up to three runs, ticks of 10 ms, no output. A line ends where a
 point would take more than a minute. Dotted: what a core can carry in real time. Others with their default settings, at steps of 5 ms (broken lines) and 1 ms.
@@ -193,7 +193,7 @@ A ball is 40 mm wide.
 {about.get("machine", "?")}, {about.get("compiler", "?")}, commit {about.get("commit", "?")}. Load of the
 machine at the start: {about.get("load", "?")}; anything but 0 makes times longer, up to twice at a load of 4 on 2 cores.
 """
-    with open(os.path.join(docs, "crowds.md"), "w", encoding="utf-8") as file:
+    with open(os.path.join(docs, "crowd_cost.md"), "w", encoding="utf-8") as file:
         file.write(text)
 
 
