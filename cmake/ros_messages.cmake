@@ -19,6 +19,7 @@ add_message_files(FILES
   BallState.msg
   BallStates.msg
   Contact.msg
+  Crowd.msg
   HandsState.msg
   PaddleCommand.msg
   PaddleState.msg

@@ -8,6 +8,7 @@ add_library(${PROJECT_NAME}_ros
   src/ros/command_mailbox.cpp
   src/ros/contact_flashes.cpp
   src/ros/conversions.cpp
+  src/ros/crowd_message.cpp
   src/ros/job_queue.cpp
   src/ros/launching.cpp
   src/ros/marker_publisher.cpp

@@ -9,6 +9,7 @@ function(add_ros_test name)
   target_include_directories(${target} SYSTEM PRIVATE ${tf2_ros_INCLUDE_DIRS})
   target_link_libraries(${target} ${PROJECT_NAME}_ros ${PROJECT_NAME}_options ${tf2_ros_LIBRARIES})
   target_compile_definitions(${target} PRIVATE
+    SCENES="${CMAKE_CURRENT_SOURCE_DIR}/config/scenes"
     TEST_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/test/ros/data"
     NODE="$<TARGET_FILE:${PROJECT_NAME}_node>"
     TELEOP="$<TARGET_FILE:${PROJECT_NAME}_teleop>"
@@ -20,6 +21,7 @@ foreach(name
     clock
     command
     contacts
+    crowd
     examples
     flat_out
     latency

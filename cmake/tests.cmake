@@ -53,6 +53,9 @@ foreach(name
     corner
     same_bits
     hop
+    crowds
+    gas
+    state_hash
     islands
     edges
     grazing

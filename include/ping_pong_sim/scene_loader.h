@@ -18,10 +18,13 @@ public:
 /// Of Scene::tolerance [m]. Below, rounding is larger; above, it would not mean much.
 constexpr double kMinTolerance = 1e-12, kMaxTolerance = 0.1;
 
+constexpr std::size_t kMaxBalls = 100000;  ///< that a scene file may hold
+
 struct LoadOptions
 {
   std::uint64_t seed = 0;   ///< of the scene's random patterns
   bool has_seed = false;    ///< false: the scene's own
+  std::size_t balls = 0;    ///< of the scene's one random pattern, up to kMaxBalls; 0: the scene's own
 };
 
 /// Reads and checks a scene. URDF paths are relative to the scene file. Throws LoadError.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cinttypes>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -10,6 +11,7 @@
 #include "csv_file.h"
 #include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/scene_loader.h"
+#include "ping_pong_sim/state_hash.h"
 #include "ping_pong_sim/world.h"
 #include "simulate_options.h"
 
@@ -43,6 +45,7 @@ Scene prepareScene(const SimulateOptions& options)
   LoadOptions load_options;
   load_options.has_seed = options.seed.has_value();
   load_options.seed = options.seed.value_or(0);
+  load_options.balls = options.balls.value_or(0);
   Scene scene = loadScene(options.scene_path, load_options);
   if (options.method) scene.method = *options.method;
   if (options.dt) scene.dt = *options.dt;
@@ -147,6 +150,7 @@ void printSummary(const SimulateOptions& options, const World& world, const Repo
                ball_seconds > 0.0 ? 1e6 * report.wall / ball_seconds : 0.0, *options.duration / report.wall);
   std::fprintf(stderr, "contacts %zu, events %zu\n", report.contacts, report.events);
   std::fprintf(stderr, "energy %.9g J at start, %.9g J at end\n", report.energy_start, world.totals().energy());
+  std::fprintf(stderr, "state hash %016" PRIx64 "\n", stateHash(world));
   std::fprintf(stderr, "status %s\n", statusText(report).c_str());
 }
 

@@ -15,6 +15,7 @@ const option kOptions[] = {
     {"duration", required_argument, nullptr, 'd'}, {"rate", required_argument, nullptr, 'r'},
     {"method", required_argument, nullptr, 'm'},   {"dt", required_argument, nullptr, 't'},
     {"tolerance", required_argument, nullptr, 'e'}, {"seed", required_argument, nullptr, 's'},
+    {"balls", required_argument, nullptr, 'b'},
     {"contacts", required_argument, nullptr, 'c'}, {"help", no_argument, nullptr, 'h'},
     {nullptr, 0, nullptr, 0},
 };
@@ -52,6 +53,14 @@ std::uint64_t seedFrom(const std::string& text)
   return seed;
 }
 
+std::size_t ballsFrom(const std::string& text)
+{
+  std::uint64_t balls = 0;
+  if (!parseInteger(text, balls) || balls < 1 || balls > kMaxBalls)
+    fail("--balls", text, "an integer from 1 to " + std::to_string(kMaxBalls));
+  return balls;
+}
+
 Method methodFrom(const std::string& text)
 {
   try
@@ -86,6 +95,9 @@ void apply(int letter, const std::string& value, const std::string& word, Simula
     case 's':
       options.seed = seedFrom(value);
       break;
+    case 'b':
+      options.balls = ballsFrom(value);
+      break;
     case 'c':
       options.contacts_path = fileName("--contacts", value);
       break;
@@ -117,6 +129,7 @@ const std::string kSimulateHelp =
     "  --dt H            longest step of all methods but `exact` [s], instead of the scene's\n"
     "  --tolerance E     position error that `exact` may have after a rally [m], instead of the scene's\n"
     "  --seed N          of random patterns, instead of the scene's\n"
+    "  --balls N         of the random pattern, instead of the scene's; its room grows or shrinks with them\n"
     "  --contacts FILE   writes each impact as CSV to FILE\n"
     "  --help            this text\n"
     "Exit status: 0 the run is whole; 1 output could not be written; 2 bad input; 3 the world reported a problem.\n";

@@ -4,12 +4,17 @@
 #include <cstdio>
 
 #include "overlap.h"
+#include "ping_pong_sim/room.h"
 #include "random.h"
 
 namespace ping_pong
 {
 namespace
 {
+constexpr std::size_t kManyBalls = 100;  ///< in a box much larger than a ball, so that its walls hardly count
+/// Part of a box that balls put down at random, one after the other, can fill: Torquato, Uche, Stillinger, "Random sequential
+/// addition of hard spheres in high Euclidean dimensions", Phys. Rev. E 74, 061308 (2006).
+constexpr double kFullest = 0.384;
 constexpr int kAttempts = 10000;  ///< for each random ball; in a box that is 1/8 full, one in about 2 succeeds
 
 class Placement
@@ -50,24 +55,70 @@ private:
 
   void placeRandom(const BallGroup& group, Random& random)
   {
+    const RandomBox box = boxOf(group);
+    checkFill(group, box);
     for (std::size_t i = 0; i < group.count(); ++i)
     {
       BallState state;
-      state.p_WB = findRoom(group, random, i);
+      state.p_WB = findRoom(group, box, random, i);
       state.v_WB = group.random_speed * random.direction();
+      if (group.thermal_speed > 0.0)
+        for (int axis = 0; axis < 3; ++axis) state.v_WB[axis] += group.thermal_speed * random.normal();
       state.w_WB = group.random_spin * random.direction();
       add(group, state);
     }
   }
 
-  Vector3d findRoom(const BallGroup& group, Random& random, std::size_t placed) const
+  /// Of centres, in the frame of a room or of the world.
+  struct RandomBox
+  {
+    Pose frame;
+    Vector3d low, high;
+  };
+
+  RandomBox boxOf(const BallGroup& group) const
+  {
+    if (!group.room) return {{}, group.origin, group.max};
+    const std::string name = group.room->text();
+    for (const Body& body : scene_.bodies)
+    {
+      const std::optional<Vector3d> size = body.name == name ? roomSize(body) : std::nullopt;
+      if (!size) continue;
+      const Vector3d low = Vector3d(-0.5 * size->x(), -0.5 * size->y(), 0.0).array() + group.params.radius;
+      const Vector3d high = Vector3d(0.5 * size->x(), 0.5 * size->y(), size->z()).array() - group.params.radius;
+      if (!(low.array() <= high.array()).all()) failCount(group, "a room with room for one ball");
+      return {body.pose, low, high};
+    }
+    group.room->fail("the name of a body that is a room");
+  }
+
+  void checkFill(const BallGroup& group, const RandomBox& box) const
+  {
+    const double r = group.params.radius;
+    const Vector3d edges = (box.high - box.low).array() + 2.0 * r;
+    const double fill = static_cast<double>(group.count()) * 4.18879 * r * r * r / edges.prod();
+    if (group.count() < kManyBalls || fill < kFullest) return;
+    char percent[32];
+    std::snprintf(percent, sizeof percent, "%.3g", 100.0 * fill);
+    failCount(group, std::string("fewer balls, or a larger box: they would fill ") + percent +
+                         " % of it, and random places are found up to 38 %");
+  }
+
+  Vector3d findRoom(const BallGroup& group, const RandomBox& box, Random& random, std::size_t placed) const
   {
     for (int attempt = 0; attempt < kAttempts; ++attempt)
     {
-      const Vector3d p_WB = random.uniform(group.origin, group.max);
-      if (!finder_.find(p_WB, group.params.radius)) return p_WB;
+      const Vector3d p = random.uniform(box.low, box.high);
+      const Vector3d p_WB = group.room ? Vector3d(box.frame.p + box.frame.q * p) : p;
+      if (finder_.free(p_WB, group.params.radius)) return p_WB;
     }
-    group.where.fail("fewer balls, or a box with room for more than " + std::to_string(placed) + " without overlap");
+    failCount(group, "fewer balls, or a box with room for more than " + std::to_string(placed) + " without overlap");
+  }
+
+  /// The number may be the file's, or the one that was asked for instead.
+  [[noreturn]] void failCount(const BallGroup& group, const std::string& expected) const
+  {
+    group.where.failWith(std::to_string(group.count()), expected);
   }
 
   void checkRoom(const BallGroup& group, const Vector3d& p_WB) const

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "ping_pong_sim/scene.h"
@@ -31,7 +33,9 @@ struct BallGroup
 
   bool random = false;
   Vector3d max = Vector3d::Zero();  ///< random: highest corner of the box of centres [m]
+  std::optional<Field> room;        ///< random: name of the body whose inside is the box, instead of its corners
   double random_speed = 0.0;        ///< random: speed in a random direction [m/s]
+  double thermal_speed = 0.0;       ///< random: besides, each component normally distributed with this deviation [m/s]
   double random_spin = 0.0;         ///< random: spin about a random axis [rad/s]
 };
 

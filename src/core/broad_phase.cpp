@@ -27,6 +27,9 @@ void BroadPhase::reserve(std::size_t boxes)
   large_.reserve(boxes);
   ranges_.reserve(boxes);
   pairs_.reserve(8 * boxes);
+  added_start_.reserve(start_.capacity());
+  added_.reserve(16 * boxes);
+  added_large_.reserve(boxes);
 }
 
 void BroadPhase::layOut(const std::vector<Box>& boxes)
@@ -68,23 +71,28 @@ BroadPhase::Range BroadPhase::cellsOf(const Box& box) const
   return range;
 }
 
+double BroadPhase::Range::cells() const
+{
+  return (high[0] - low[0] + 1.0) * (high[1] - low[1] + 1.0) * (high[2] - low[2] + 1.0);
+}
+
+template <class Action>
+void BroadPhase::eachCell(const Range& r, const Action& action) const
+{
+  for (int z = r.low[2]; z <= r.high[2]; ++z)
+    for (int y = r.low[1]; y <= r.high[1]; ++y)
+      for (int x = r.low[0]; x <= r.high[0]; ++x) action(static_cast<std::size_t>(cell(x, y, z)));
+}
+
 void BroadPhase::fill(const std::vector<Box>& boxes)
 {
-  const auto cellsIn = [](const Range& r) {
-    return (r.high[0] - r.low[0] + 1.0) * (r.high[1] - r.low[1] + 1.0) * (r.high[2] - r.low[2] + 1.0);
-  };
-  const auto eachCell = [this](const Range& r, auto action) {
-    for (int z = r.low[2]; z <= r.high[2]; ++z)
-      for (int y = r.low[1]; y <= r.high[1]; ++y)
-        for (int x = r.low[0]; x <= r.high[0]; ++x) action(static_cast<std::size_t>(cell(x, y, z)));
-  };
   start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
   ranges_.resize(boxes.size());
   large_.clear();
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
   {
     ranges_[i] = cellsOf(boxes[i]);
-    if (cellsIn(ranges_[i]) > kManyCells)
+    if (ranges_[i].cells() > kManyCells)
       large_.push_back(i);
     else
       eachCell(ranges_[i], [this](std::size_t c) { ++start_[c]; });
@@ -93,7 +101,7 @@ void BroadPhase::fill(const std::vector<Box>& boxes)
   for (std::uint32_t& start : start_) start = total += start;  // ends of the cells; filled from behind they become starts
   entries_.resize(total);
   for (std::uint32_t i = static_cast<std::uint32_t>(boxes.size()); i-- > 0;)
-    if (cellsIn(ranges_[i]) <= kManyCells) eachCell(ranges_[i], [&](std::size_t c) { entries_[--start_[c]] = i; });
+    if (ranges_[i].cells() <= kManyCells) eachCell(ranges_[i], [&](std::size_t c) { entries_[--start_[c]] = i; });
 }
 
 const std::vector<BroadPhase::Pair>& BroadPhase::findPairs(const std::vector<Box>& boxes)
@@ -101,6 +109,9 @@ const std::vector<BroadPhase::Pair>& BroadPhase::findPairs(const std::vector<Box
   count(Law::BroadPhase);
   layOut(boxes);
   fill(boxes);
+  added_.clear();
+  added_large_.clear();
+  added_start_.assign(start_.size() - 1, kNoEntry);
   pairs_.clear();
   for (std::size_t c = 0; c + 1 < start_.size(); ++c)
     for (std::uint32_t p = start_[c]; p < start_[c + 1]; ++p)
@@ -140,5 +151,23 @@ void BroadPhase::findOverlapping(const Box& box, const std::vector<Box>& boxes, 
       }
   for (const std::uint32_t i : large_)
     if (boxes[i].overlaps(box)) found.push_back(i);
+}
+
+void BroadPhase::add(std::uint32_t index, const Box& box)
+{
+  const Range range = cellsOf(box);
+  if (range.cells() > kManyCells) return added_large_.push_back(index);
+  eachCell(range, [&](std::size_t c) {
+    added_.push_back({index, added_start_[c]});
+    added_start_[c] = static_cast<std::uint32_t>(added_.size() - 1);
+  });
+}
+
+void BroadPhase::findAdded(const Box& box, std::vector<std::uint32_t>& found) const
+{
+  found = added_large_;
+  eachCell(cellsOf(box), [&](std::size_t c) {
+    for (std::uint32_t e = added_start_[c]; e != kNoEntry; e = added_[e].next) found.push_back(added_[e].index);
+  });
 }
 }  // namespace ping_pong

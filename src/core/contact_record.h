@@ -9,7 +9,7 @@ namespace ping_pong
 inline Contact& newContact(WorldState& world, std::size_t i)
 {
   world.contacts.emplace_back();
-  world.contact_of.push_back(static_cast<std::uint32_t>(i));
+  world.origins.push_back({static_cast<std::uint32_t>(i), world.balls[i].run});
   ++world.status.contacts;
   return world.contacts.back();
 }

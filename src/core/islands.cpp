@@ -45,6 +45,7 @@ void begin(WorldState& world)
   const std::size_t n = world.balls.size();
   islands.alone.resize(n);
   islands.swept.resize(n);
+  islands.runs = 0;
   islands.saved.clear();
   islands.saved_at.assign(n, IslandRecords::kNotSaved);
   islands.root.resize(n);
@@ -52,7 +53,6 @@ void begin(WorldState& world)
   for (std::uint32_t i = 0; i < n; ++i) islands.root[i] = islands.next[i] = i;
   islands.settled.assign(n, false);
   islands.islands.clear();
-  islands.hit.clear();
   islands.pieces.clear();
   islands.last_piece.assign(n, IslandRecords::kNoPiece);
 }
@@ -62,6 +62,7 @@ void runAlone(WorldState& world, Window window, std::size_t i)
   BallRecord& ball = world.balls[i];
   ball.swept = Box();
   ball.met = false;
+  ball.run = 0;
   ball.next_ball = Event();
   if (soonest(ball).time <= window.end)
   {
@@ -101,39 +102,39 @@ void gatherMembers(IslandRecords& islands, std::uint32_t first)
   std::sort(islands.members.begin(), islands.members.end());  // ties go to the first ball, whoever came in first
 }
 
-// Contacts of these balls in this window have not happened.
-void forgetContacts(WorldState& world, std::size_t first_contact, std::uint32_t root)
+void backToStart(WorldState& world)
 {
-  std::size_t kept = first_contact;
-  for (std::size_t c = first_contact; c < world.contacts.size(); ++c)
+  IslandRecords& islands = world.islands;
+  ++islands.runs;
+  for (const std::size_t i : islands.members)
   {
-    if (rootOf(world.islands, world.contact_of[c]) == root) continue;
+    save(world, i);
+    BallRecord& ball = world.balls[i];
+    ball = islands.saved[islands.saved_at[i]];
+    forgetFlown(world, i);
+    ball.met = false;
+    ball.next_ball = Event();
+    ball.run = islands.runs;
+  }
+}
+
+// What balls have recorded before their island went back to the start has not happened.
+void dropVoidContacts(WorldState& world, std::size_t first)
+{
+  std::size_t kept = first;
+  for (std::size_t c = first; c < world.contacts.size(); ++c)
+  {
+    if (world.origins[c].run != world.balls[world.origins[c].ball].run) continue;
     if (kept != c)
     {
       world.contacts[kept] = world.contacts[c];
-      world.contact_of[kept] = world.contact_of[c];
+      world.origins[kept] = world.origins[c];
     }
     ++kept;
   }
   world.status.contacts -= world.contacts.size() - kept;
   world.contacts.resize(kept);
-  world.contact_of.resize(kept);
-}
-
-void backToStart(WorldState& world, std::size_t first_contact, std::uint32_t root)
-{
-  IslandRecords& islands = world.islands;
-  bool ran = false;
-  for (const std::size_t i : islands.members)
-  {
-    ran |= islands.saved_at[i] != IslandRecords::kNotSaved;
-    save(world, i);
-    world.balls[i] = islands.saved[islands.saved_at[i]];
-    forgetFlown(world, i);
-    world.balls[i].met = false;
-    world.balls[i].next_ball = Event();
-  }
-  if (ran) forgetContacts(world, first_contact, root);
+  world.origins.resize(kept);
 }
 
 void runIsland(WorldState& world, Window window)
@@ -169,7 +170,8 @@ bool metNobodyElse(WorldState& world, const Window& window)
     if (!world.balls[i].met) continue;
     islands.broad_phase.findOverlapping(islands.swept[i], islands.alone, islands.found);
     for (const std::uint32_t k : islands.found) lookAt(i, k);
-    for (const std::uint32_t k : islands.hit) lookAt(i, k);
+    islands.broad_phase.findAdded(islands.swept[i], islands.found);
+    for (const std::uint32_t k : islands.found) lookAt(i, k);
   }
   for (const std::uint32_t k : islands.near)
   {
@@ -188,19 +190,19 @@ bool worthAShorterWindow(const WorldState& world, const Window& window)
 }
 
 // False if the island is too large for this window.
-bool settleIsland(WorldState& world, const Window& window, std::uint32_t first, std::size_t first_contact)
+bool settleIsland(WorldState& world, const Window& window, std::uint32_t first)
 {
   IslandRecords& islands = world.islands;
   do
   {
     gatherMembers(islands, first);
     if (worthAShorterWindow(world, window)) return false;
-    backToStart(world, first_contact, rootOf(islands, first));
+    backToStart(world);
     runIsland(world, window);
   } while (!metNobodyElse(world, window));
   islands.settled[rootOf(islands, first)] = true;
   for (const std::size_t i : islands.members)
-    if (world.balls[i].met) islands.hit.push_back(static_cast<std::uint32_t>(i));
+    if (world.balls[i].met) islands.broad_phase.add(static_cast<std::uint32_t>(i), islands.swept[i]);
   return true;
 }
 
@@ -212,7 +214,7 @@ void undo(WorldState& world, std::size_t first_contact)
     if (islands.saved_at[i] != IslandRecords::kNotSaved) world.balls[i] = islands.saved[islands.saved_at[i]];
   world.status.contacts -= world.contacts.size() - first_contact;
   world.contacts.resize(first_contact);
-  world.contact_of.resize(first_contact);
+  world.origins.resize(first_contact);
 }
 
 // By time, ties by ball. Contacts are large: their order is found first, and each is moved once.
@@ -251,11 +253,12 @@ bool runWindow(WorldState& world, const Window& window)
       islands.islands.push_back(pair.a);
     }
   for (const std::uint32_t first : islands.islands)
-    if (!islands.settled[rootOf(islands, first)] && !settleIsland(world, window, first, first_contact))
+    if (!islands.settled[rootOf(islands, first)] && !settleIsland(world, window, first))
     {
       undo(world, first_contact);
       return false;
     }
+  dropVoidContacts(world, first_contact);
   sortContacts(world, first_contact);
   return true;
 }

@@ -7,10 +7,14 @@ namespace ping_pong
 namespace
 {
 /// Not a number, from sizes near the end of the number range, counts as an overlap.
-void keepDeepest(const std::string& with, double depth, std::optional<Overlap>& deepest)
+bool isOverlap(double depth)
 {
-  if (depth <= kTouchTolerance) return;
-  if (!deepest || depth > deepest->depth) deepest = Overlap{with, depth};
+  return !(depth <= kTouchTolerance);
+}
+
+bool isDeeper(double depth, const std::optional<Overlap>& deepest)
+{
+  return isOverlap(depth) && (!deepest || depth > deepest->depth);
 }
 }  // namespace
 
@@ -38,16 +42,8 @@ void OverlapFinder::addBall(const Vector3d& p_WB, double radius)
   balls_.push_back({p_WB, radius});
 }
 
-void OverlapFinder::findBodies(const Vector3d& p_WB, double radius, std::optional<Overlap>& deepest) const
-{
-  for (const Body& body : bodies_)
-  {
-    const Vector3d p_BQ = body.pose.q.conjugate() * (p_WB - body.pose.p);
-    for (const Shape& shape : body.shapes) keepDeepest(body.name, radius - proximity(shape, p_BQ).distance, deepest);
-  }
-}
-
-void OverlapFinder::findBalls(const Vector3d& p_WB, double radius, std::optional<Overlap>& deepest) const
+template <class Action>
+bool OverlapFinder::anyNear(const Vector3d& p_WB, const Action& action) const
 {
   const Cube centre = cubeOf(p_WB);
   for (int neighbour = 0; neighbour < 27; ++neighbour)
@@ -56,8 +52,31 @@ void OverlapFinder::findBalls(const Vector3d& p_WB, double radius, std::optional
     const auto found = cubes_.find(cube);
     if (found == cubes_.end()) continue;
     for (const std::size_t i : found->second)
-      keepDeepest("ball_" + std::to_string(i), radius + balls_[i].radius - (p_WB - balls_[i].p_WB).norm(), deepest);
+      if (action(i)) return true;
   }
+  return false;
+}
+
+void OverlapFinder::findBodies(const Vector3d& p_WB, double radius, std::optional<Overlap>& deepest) const
+{
+  for (const Body& body : bodies_)
+  {
+    const Vector3d p_BQ = body.pose.q.conjugate() * (p_WB - body.pose.p);
+    for (const Shape& shape : body.shapes)
+    {
+      const double depth = radius - proximity(shape, p_BQ).distance;
+      if (isDeeper(depth, deepest)) deepest = Overlap{body.name, depth};
+    }
+  }
+}
+
+void OverlapFinder::findBalls(const Vector3d& p_WB, double radius, std::optional<Overlap>& deepest) const
+{
+  anyNear(p_WB, [&](std::size_t i) {
+    const double depth = radius + balls_[i].radius - (p_WB - balls_[i].p_WB).norm();
+    if (isDeeper(depth, deepest)) deepest = Overlap{"ball_" + std::to_string(i), depth};
+    return false;
+  });
 }
 
 std::optional<Overlap> OverlapFinder::find(const Vector3d& p_WB, double radius) const
@@ -66,5 +85,16 @@ std::optional<Overlap> OverlapFinder::find(const Vector3d& p_WB, double radius) 
   findBodies(p_WB, radius, deepest);
   findBalls(p_WB, radius, deepest);
   return deepest;
+}
+
+bool OverlapFinder::free(const Vector3d& p_WB, double radius) const
+{
+  const bool hit = anyNear(p_WB, [&](std::size_t i) {
+    return isOverlap(radius + balls_[i].radius - (p_WB - balls_[i].p_WB).norm());
+  });
+  if (hit) return false;
+  std::optional<Overlap> with_body;
+  findBodies(p_WB, radius, with_body);
+  return !with_body;
 }
 }  // namespace ping_pong

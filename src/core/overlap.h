@@ -28,6 +28,8 @@ public:
 
   /// Deepest overlap of a ball with anything.
   std::optional<Overlap> find(const Vector3d& p_WB, double radius) const;
+  /// Whether find() has nothing to tell; quicker.
+  bool free(const Vector3d& p_WB, double radius) const;
   /// Ball N is the one added N-th, from 0.
   void addBall(const Vector3d& p_WB, double radius);
 
@@ -44,6 +46,8 @@ private:
   };
 
   Cube cubeOf(const Vector3d& p_WB) const;
+  template <class Action>
+  bool anyNear(const Vector3d& p_WB, const Action& action) const;
   void findBodies(const Vector3d& p_WB, double radius, std::optional<Overlap>& deepest) const;
   void findBalls(const Vector3d& p_WB, double radius, std::optional<Overlap>& deepest) const;
 

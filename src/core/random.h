@@ -47,7 +47,34 @@ public:
     }
   }
 
+  /// Normally distributed with deviation 1, by Marsaglia's polar method; it, too, does without the maths library.
+  double normal()
+  {
+    for (;;)
+    {
+      const double u = uniform(-1.0, 1.0), v = uniform(-1.0, 1.0);
+      const double square = u * u + v * v;
+      if (square > 0.0 && square < 1.0) return u * std::sqrt(-2.0 * logarithm(square) / square);
+    }
+  }
+
 private:
+  /// ln x for x > 0, to a few units in the last place: x = m 2^e, ln m = 2 artanh((m - 1) / (m + 1)).
+  static double logarithm(double x)
+  {
+    int exponent = 0;
+    double m = std::frexp(x, &exponent);  // exact
+    if (m < 0.70710678118654752)
+    {
+      m *= 2.0;
+      --exponent;
+    }
+    const double z = (m - 1.0) / (m + 1.0), zz = z * z;
+    double sum = 0.0;
+    for (int k = 25; k > 0; k -= 2) sum = sum * zz + 1.0 / k;
+    return 2.0 * z * sum + exponent * 0.69314718055994531;
+  }
+
   std::uint64_t state_;
 };
 }  // namespace ping_pong

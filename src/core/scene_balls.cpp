@@ -75,20 +75,44 @@ BallGroup readGrid(const Field& field, Scene& scene)
   return group;
 }
 
+/// A speed that all have, or {maxwell: s}.
+void readSpeed(const Field& field, BallGroup& group)
+{
+  if (!field.isMap())
+  {
+    group.random_speed = field.notNegative();
+    return;
+  }
+  const Map map(field, {"maxwell"});
+  group.thermal_speed = map.at("maxwell", "the standard deviation of each component of the velocity").notNegative();
+}
+
+void readBox(const Map& map, BallGroup& group)
+{
+  if (const Field* room = map.find("in"))
+  {
+    for (const char* corner : {"min", "max"})
+      if (const Field* f = map.find(corner)) f->failWith("beside in", "either in, or min and max");
+    group.room = *room;
+    return;
+  }
+  group.origin = map.at("min", "the lowest centre [x, y, z], or in: a room").vector();
+  const Field& max = map.at("max", "the highest centre [x, y, z]");
+  group.max = max.vector();
+  if (!(group.origin.array() <= group.max.array()).all()) max.fail("a corner that is not below min on any axis");
+}
+
 BallGroup readRandom(const Field& field, Scene& scene)
 {
-  const Map map(field, {"count", "min", "max", "seed", "speed", "spin", "radius", "mass", "inertia",
+  const Map map(field, {"count", "min", "max", "in", "seed", "speed", "spin", "radius", "mass", "inertia",
                         "color", "material"});
   const Field& count = map.at("count", "the number of balls");
   BallGroup group(count);
   group.random = true;
   group.grid[0] = count.count();
-  group.origin = map.at("min", "the lowest centre [x, y, z]").vector();
-  const Field& max = map.at("max", "the highest centre [x, y, z]");
-  group.max = max.vector();
-  if (!(group.origin.array() <= group.max.array()).all()) max.fail("a corner that is not below min on any axis");
+  readBox(map, group);
   if (const Field* f = map.find("seed")) group.seed = f->integer();
-  if (const Field* f = map.find("speed")) group.random_speed = f->notNegative();
+  if (const Field* f = map.find("speed")) readSpeed(*f, group);
   if (const Field* f = map.find("spin")) group.random_spin = f->notNegative();
   readParams(map, scene, group);
   return group;
@@ -115,21 +139,59 @@ BallGroup readGroup(const Field& field, Scene& scene)
 
 [[noreturn]] void failTotal(const BallGroup& group, std::size_t total)
 {
-  group.where.failWith(std::to_string(total) + " balls", "at most " + std::to_string(Field::kMaxCount) + " in a scene");
+  group.where.failWith(std::to_string(total) + " balls", "at most " + std::to_string(kMaxBalls) + " in a scene");
+}
+
+std::vector<BallGroup> readGroups(const Map& scene_map, Scene& scene)
+{
+  std::vector<BallGroup> groups;
+  if (const Field* balls = scene_map.find("balls"))
+    for (const Field& field : balls->list()) groups.push_back(readGroup(field, scene));
+  return groups;
+}
+
+/// Puts the number that was asked for in place of the one random pattern's.
+/// @return  new number / old number
+double takeCount(const Map& scene_map, std::size_t wanted, std::vector<BallGroup>& groups)
+{
+  BallGroup* crowd = nullptr;
+  std::size_t patterns = 0;
+  for (BallGroup& group : groups)
+  {
+    if (!group.random) continue;
+    crowd = &group;
+    ++patterns;
+  }
+  if (patterns != 1)
+  {
+    const Field* balls = scene_map.find("balls");
+    const Field& where = balls != nullptr ? *balls : scene_map.field();
+    where.failWith(std::to_string(patterns) + " random patterns",
+                   "exactly one, to take the " + std::to_string(wanted) + " balls that are asked for");
+  }
+  const double growth = static_cast<double>(wanted) / static_cast<double>(crowd->grid[0]);
+  crowd->grid[0] = wanted;
+  return growth;
 }
 }  // namespace
 
+double crowdGrowth(const Map& scene_map, const LoadOptions& options)
+{
+  if (options.balls == 0) return 1.0;
+  Scene scratch;
+  std::vector<BallGroup> groups = readGroups(scene_map, scratch);
+  return takeCount(scene_map, options.balls, groups);
+}
+
 void readBalls(const Map& scene_map, const LoadOptions& options, Scene& scene)
 {
-  const Field* balls = scene_map.find("balls");
-  if (balls == nullptr) return;
-  std::vector<BallGroup> groups;
+  std::vector<BallGroup> groups = readGroups(scene_map, scene);
+  if (options.balls > 0) takeCount(scene_map, options.balls, groups);
   std::size_t total = 0;
-  for (const Field& field : balls->list())
+  for (const BallGroup& group : groups)
   {
-    groups.push_back(readGroup(field, scene));
-    total += groups.back().count();
-    if (total > Field::kMaxCount) failTotal(groups.back(), total);
+    total += group.count();
+    if (total > kMaxBalls) failTotal(group, total);
   }
   placeBalls(groups, options, scene);
 }

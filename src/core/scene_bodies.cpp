@@ -1,9 +1,11 @@
 #include "scene_bodies.h"
 
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
 #include "materials.h"
+#include "ping_pong_sim/room.h"
 #include "ping_pong_sim/scene_loader.h"
 
 namespace ping_pong
@@ -11,6 +13,7 @@ namespace ping_pong
 namespace
 {
 constexpr char kFloor[] = "floor";
+constexpr char kWall[] = "wall";
 
 bool isLetter(char c)
 {
@@ -90,9 +93,29 @@ std::string resolveUrdf(const Field& field, const std::string& scene_path)
   return path;
 }
 
-Body readBody(const Field& field, Scene& scene)
+/// Factors of the edges of a room for so many times the balls: the balls fill the same part of it.
+Vector3d readGrowth(const Field& field, double growth)
 {
-  const Map map(field, {"name", "urdf", "kind", "position", "rpy", "limits"});
+  const std::string kind = field.text();
+  if (kind == "all") return Vector3d::Constant(std::cbrt(growth));
+  if (kind == "floor") return {std::sqrt(growth), std::sqrt(growth), 1.0};
+  field.fail("all (length, width and height) or floor (length and width)");
+}
+
+std::vector<Shape> readRoom(const Field& field, double growth, std::vector<std::string>& materials)
+{
+  const Map map(field, {"size", "grow", "material"});
+  const std::string three = "the inner size [x, y, z], three numbers > 0";
+  const std::vector<Field> edges = map.at("size", three).list(3, three);
+  Vector3d size(edges[0].positive(), edges[1].positive(), edges[2].positive());
+  if (const Field* f = map.find("grow")) size = size.cwiseProduct(readGrowth(*f, growth));
+  const Field* material = map.find("material");
+  return roomShapes(size, internMaterial(materials, material != nullptr ? readMaterial(*material) : kWall));
+}
+
+Body readBody(const Field& field, double growth, Scene& scene)
+{
+  const Map map(field, {"name", "urdf", "room", "kind", "position", "rpy", "limits"});
   Body body;
   body.name = readName(map.at("name", "the name of the body"), scene.bodies);
   body.kind = readKind(map.at("kind", "static or kinematic"));
@@ -101,6 +124,13 @@ Body readBody(const Field& field, Scene& scene)
   const Field* limits = map.find("limits");
   if (limits != nullptr && body.kind != BodyKind::Kinematic) limits->fail("no limits unless the kind is kinematic");
   if (limits != nullptr) body.limits = readLimits(*limits);
+  if (const Field* room = map.find("room"))
+  {
+    if (const Field* f = map.find("urdf")) f->failWith("beside room", "either a urdf or a room");
+    if (body.kind != BodyKind::Static) room->fail("no room unless the kind is static");
+    body.shapes = readRoom(*room, growth, scene.materials);
+    return body;
+  }
   body.urdf_path = resolveUrdf(map.at("urdf", "the path of a URDF file"), scene.path);
   body.shapes = loadShapes(body.urdf_path, scene.materials);
   return body;
@@ -130,10 +160,10 @@ std::string readMaterial(const Field& field)
   return name;
 }
 
-void readBodies(const Map& scene_map, Scene& scene)
+void readBodies(const Map& scene_map, double growth, Scene& scene)
 {
   if (const Field* bodies = scene_map.find("bodies"))
-    for (const Field& field : bodies->list()) scene.bodies.push_back(readBody(field, scene));
+    for (const Field& field : bodies->list()) scene.bodies.push_back(readBody(field, growth, scene));
   if (const Field* floor = scene_map.find("floor")) scene.bodies.push_back(readFloor(*floor, scene));
 }
 }  // namespace ping_pong

@@ -12,5 +12,6 @@ namespace ping_pong
 std::string readMaterial(const Field& field);
 
 /// Appends the listed bodies, then the floor: body i of the file is body i of the scene.
-void readBodies(const Map& scene_map, Scene& scene);
+/// @param growth  how many times as many balls as the file says are asked for: rooms may grow with them
+void readBodies(const Map& scene_map, double growth, Scene& scene);
 }  // namespace ping_pong

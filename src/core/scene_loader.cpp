@@ -42,7 +42,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options)
   if (const Field* f = map.find("method")) scene.method = readMethod(*f);
   if (const Field* f = map.find("dt")) scene.dt = f->positive();
   if (const Field* f = map.find("tolerance")) scene.tolerance = f->within(kMinTolerance, kMaxTolerance);
-  readBodies(map, scene);
+  readBodies(map, crowdGrowth(map, options), scene);
   readBalls(map, options, scene);
   readSurfaces(map, scene);
   return scene;

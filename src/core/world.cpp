@@ -1,5 +1,6 @@
 #include "ping_pong_sim/world.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "count.h"
@@ -21,6 +22,8 @@ constexpr double kLongestMotion = 5e-3;  // [s]
 // one tick makes the records grow, once: they keep what they have.
 constexpr std::size_t kContactsInATick = 256;
 constexpr std::size_t kContactsOfABall = 8;
+constexpr std::size_t kBallsWithContacts = 1000;  // of more balls only so many have a record of their own kept free
+constexpr std::size_t kManyBalls = 32;            // from here on a grid tells which balls may overlap
 
 std::string refuseState(const BallState& state)
 {
@@ -44,6 +47,13 @@ BallState normalized(BallState state)
   return state;
 }
 
+// Whether the spheres in two boxes overlap by more than half of what hasRoom() lets pass.
+bool spheresOverlap(const Box& a, const Box& b)
+{
+  const double reach = 0.5 * (a.high.x() - a.low.x() + b.high.x() - b.low.x()) - 0.5 * kTouching;
+  return (0.5 * (a.low + a.high - b.low - b.high)).squaredNorm() < reach * reach;
+}
+
 // Every shape of the largest paddle near every shape of all furniture.
 std::size_t mostNearPairs(const std::vector<BodyRecord>& bodies)
 {
@@ -65,6 +75,8 @@ struct World::Impl : WorldState
   std::vector<Obstacle> obstacles;  // of the window; this and the next are kept, so that no step allocates
   std::vector<ShapePair> near_obstacles;
 
+  std::size_t space_for = 0;        // balls that there is memory for
+
   void start();
   BallRecord& add(const BallParams& params, const BallState& state);
   double later(double duration);
@@ -75,6 +87,7 @@ struct World::Impl : WorldState
   void planBall(std::size_t index);
   void letGo(std::size_t body);
   void makeRoom();
+  std::vector<char> ballsThatOverlap() const;
 };
 
 void World::Impl::start()
@@ -84,10 +97,12 @@ void World::Impl::start()
   time = time_rest = 0.0;
   next_id = 0;
   contacts.clear();
-  contact_of.clear();
+  origins.clear();
   islands.length = IslandRecords::kFirstLength;
   status = StepStatus();
+  scene.balls = {};  // they are in `loaded`
   balls.clear();
+  balls.reserve(loaded.balls.size());
   bodies.clear();
   for (const Body& body : scene.bodies)
   {
@@ -96,7 +111,7 @@ void World::Impl::start()
     placeBody(record, body.pose);
     bodies.push_back(record);
   }
-  for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
+  for (const SceneBall& ball : loaded.balls) add(ball.params, normalized(ball.state));
   if (locatesContacts(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
   planAll();
 }
@@ -109,14 +124,17 @@ BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
   return balls.back();
 }
 
-// Memory for all that a tick needs: it is not taken while the world moves on.
+// Memory for all that a tick needs: it is not taken while the world moves on. Balls that come one by one find it taken
+// for as many again.
 void World::Impl::makeSpace()
 {
-  contacts.reserve(kContactsInATick + kContactsOfABall * balls.size());
-  contact_of.reserve(contacts.capacity());
   obstacles.reserve(bodies.size());
   near_obstacles.reserve(mostNearPairs(bodies));
-  if (locatesContacts(scene.method) && balls.size() > 1) islands.reserve(balls.size());
+  if (balls.size() <= space_for && space_for > 0) return;
+  space_for = space_for == 0 ? balls.size() : std::max(balls.size(), 2 * space_for);
+  contacts.reserve(kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
+  origins.reserve(contacts.capacity());
+  if (locatesContacts(scene.method) && balls.size() > 1) islands.reserve(space_for);
 }
 
 void World::Impl::planAll()
@@ -198,16 +216,31 @@ void World::Impl::runMethod(double end)
 // is squeezed.
 void World::Impl::makeRoom()
 {
+  const std::vector<char> overlapping = ballsThatOverlap();
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     BallState state = balls[i].stateAt(time);
-    if (hasRoom(*this, state.p_WB, balls[i].params.radius, i)) continue;
-    const bool room = pushOut(*this, state.p_WB, balls[i].params.radius, i);
+    const double radius = balls[i].params.radius;
+    if (overlapping[i] ? hasRoom(*this, state.p_WB, radius, i) : hasRoomAmongBodies(*this, state.p_WB, radius)) continue;
+    const bool room = pushOut(*this, state.p_WB, radius, i);  // clear of all others: none is covered that was not
     if (room)
       balls[i].path = flyParabola(state, time, Vector3d::Zero());
     else
       squeeze(balls[i], state, time);
   }
+}
+
+// Balls that surely overlap no other one are left out; of few balls none is.
+std::vector<char> World::Impl::ballsThatOverlap() const
+{
+  std::vector<char> overlapping(balls.size(), balls.size() < kManyBalls);
+  if (balls.size() < kManyBalls) return overlapping;
+  std::vector<Box> boxes;
+  for (const BallRecord& ball : balls) boxes.push_back(boxOf(ball, time, time));
+  BroadPhase broad_phase;
+  for (const BroadPhase::Pair& pair : broad_phase.findPairs(boxes))
+    if (spheresOverlap(boxes[pair.a], boxes[pair.b])) overlapping[pair.a] = overlapping[pair.b] = true;
+  return overlapping;
 }
 
 // Balls on this body look anew for what carries them.
@@ -235,7 +268,7 @@ StepStatus World::advance(double duration)
 {
   Impl& world = *impl_;
   world.contacts.clear();
-  world.contact_of.clear();
+  world.origins.clear();
   world.status = StepStatus();
   if (!(duration > 0.0) || !std::isfinite(duration)) return world.status;
   const double end = world.later(duration);
@@ -264,9 +297,10 @@ BallId World::ballId(std::size_t index) const { return impl_->balls[index].id; }
 
 std::size_t World::findBall(BallId id) const
 {
-  for (std::size_t i = 0; i < impl_->balls.size(); ++i)
-    if (impl_->balls[i].id == id) return i;
-  return kNone;
+  const std::vector<BallRecord>& balls = impl_->balls;  // in the order of ids
+  const auto found = std::lower_bound(balls.begin(), balls.end(), id,
+                                      [](const BallRecord& ball, BallId wanted) { return ball.id < wanted; });
+  return found != balls.end() && found->id == id ? static_cast<std::size_t>(found - balls.begin()) : kNone;
 }
 
 const BallParams& World::ballParams(std::size_t index) const { return impl_->balls[index].params; }

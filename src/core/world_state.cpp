@@ -48,7 +48,7 @@ void IslandRecords::reserve(std::size_t balls)
   alone.reserve(balls);
   swept.reserve(balls);
   saved.reserve(balls);
-  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &hit}) list->reserve(balls);
+  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next}) list->reserve(balls);
   for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) list->reserve(8 * balls);
   settled.reserve(balls);
   members.reserve(balls);

@@ -61,6 +61,7 @@ struct BallRecord
   Passing passing;
   Box swept;                     ///< by its paths in this window, but for the last one
   bool met = false;              ///< has hit a ball in this window
+  std::uint32_t run = 0;         ///< of its island in this window: what an earlier run has recorded has not happened
 
   BallRecord(BallId its_id, const BallParams& its_params, const Forces& forces)
     : id(its_id), params(its_params), model(forces, its_params)
@@ -127,6 +128,7 @@ struct IslandRecords
 
   double length = kFirstLength;            ///< of the next window [s]
   std::size_t pair_searches = 0;           ///< in this window
+  std::uint32_t runs = 0;                  ///< of islands, in this window
   BroadPhase broad_phase;
   std::vector<Box> alone;                  ///< swept by each ball if no other ball were there
   std::vector<Box> swept;                  ///< swept by each ball
@@ -138,13 +140,18 @@ struct IslandRecords
   std::vector<char> settled;               ///< by root: the island has run and met nobody outside
   std::vector<std::size_t> members;        ///< the island at work
   std::vector<std::uint32_t> found, near;  ///< balls in whose way an island's ball has come
-  std::vector<std::uint32_t> hit;          ///< balls that another one has thrown off their path
   std::vector<Piece> pieces;               ///< flown in this window, see flown.h
   std::vector<std::uint32_t> last_piece;   ///< index in `pieces`, by ball
   std::vector<Place> order;                ///< of the window's contacts
 
   /// Takes the memory for so many balls now, not while the world moves on.
   void reserve(std::size_t balls);
+};
+
+/// Which ball has recorded a contact, and in which run of its island.
+struct ContactOrigin
+{
+  std::uint32_t ball, run;
 };
 
 struct WorldState
@@ -154,7 +161,7 @@ struct WorldState
   std::vector<BallRecord> balls;
   std::vector<BodyRecord> bodies;
   std::vector<Contact> contacts;
-  std::vector<std::uint32_t> contact_of;  ///< index of the ball, by contact
+  std::vector<ContactOrigin> origins;     ///< by contact, in the exact method
   StepStatus status;
   bool any_moving = false;                ///< any body, in this window
   IslandRecords islands;

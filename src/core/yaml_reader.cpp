@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "ping_pong_sim/scene_loader.h"
+
 namespace ping_pong
 {
 namespace
@@ -166,8 +168,8 @@ std::uint64_t Field::integer() const
 std::size_t Field::count() const
 {
   std::uint64_t number = 0;
-  if (!plain() || !parseInteger(node_.Scalar(), number) || number < 1 || number > kMaxCount)
-    fail("an integer from 1 to " + std::to_string(kMaxCount));
+  if (!plain() || !parseInteger(node_.Scalar(), number) || number < 1 || number > kMaxBalls)
+    fail("an integer from 1 to " + std::to_string(kMaxBalls));
   return static_cast<std::size_t>(number);
 }
 

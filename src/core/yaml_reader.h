@@ -28,7 +28,7 @@ public:
   double within(double low, double high) const;  ///< ends included
   bool boolean() const;                          ///< true or false
   std::uint64_t integer() const;                 ///< >= 0
-  std::size_t count() const;                     ///< 1 to kMaxCount
+  std::size_t count() const;                     ///< 1 to kMaxBalls
   Vector3d vector() const;                       ///< [x, y, z], finite
   std::vector<Field> list() const;
   std::vector<Field> list(std::size_t size, const std::string& expected) const;
@@ -39,8 +39,6 @@ public:
   /// "FILE:LINE: KEY.PATH: VALUE: expected EXPECTED"; the value is the one that the file holds, unless given.
   [[noreturn]] void fail(const std::string& expected) const { failWith(value(), expected); }
   [[noreturn]] void failWith(const std::string& value, const std::string& expected) const;
-
-  static constexpr std::size_t kMaxCount = 100000;  ///< of balls in a scene
 
 private:
   friend class Map;

@@ -11,12 +11,6 @@ namespace ping_pong_sim
 {
 using Markers = std::vector<visualization_msgs::Marker>;
 
-/// Above this many balls are shown as points of a list: RViz draws ten thousand of those, but hardly a thousand
-/// spheres.
-constexpr std::size_t kMostSingleBalls = 50;
-
-bool isCrowd(const ping_pong::World& world);
-
 /// A marker that is empty but for what all markers need.
 visualization_msgs::Marker makeMarker(const std::string& frame, const std::string& ns, int id, int type);
 /// Takes away all markers of a topic.

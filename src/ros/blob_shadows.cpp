@@ -39,7 +39,7 @@ std::optional<Plate> plateOf(const ping_pong::Shape& shape, const ping_pong::Pos
 {
   const Eigen::Matrix3d R_WS = X_WB.q * shape.R_BS;
   const Vector3d p_WS = X_WB.p + X_WB.q * shape.p_BS;
-  if (shape.kind == ping_pong::ShapeKind::HalfSpace)
+  if (shape.kind == ping_pong::ShapeKind::HalfSpace && R_WS(2, 2) >= kLevel)
     return Plate{p_WS.z(), p_WS, Vector3d::UnitX(), Vector3d::UnitY(), HUGE_VAL, HUGE_VAL};
   const Vector3d& half = shape.half_size;
   if (shape.kind != ping_pong::ShapeKind::Box || R_WS(2, 2) < kLevel) return std::nullopt;

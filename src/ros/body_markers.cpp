@@ -4,9 +4,12 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "soft_shadow.h"
+#include "conversions.h"
+#include "ping_pong_sim/room.h"
 
 namespace ping_pong_sim
 {
@@ -14,6 +17,7 @@ namespace
 {
 using visualization_msgs::Marker;
 
+constexpr double kEdgeWidth = 0.01;  ///< of the lines that show a room [m]
 /// 12 m of the infinite floor, lit in the middle.
 constexpr char kFloorMesh[] = "package://ping_pong_sim/meshes/floor.dae";
 
@@ -99,6 +103,25 @@ Marker floorPicture(const std::string& frame)
   setScale(floor, 1.0, 1.0, 1.0);
   return floor;
 }
+/// The edges of a room: its walls would hide what is inside.
+Marker roomPicture(const std::string& frame, const ping_pong::Vector3d& size)
+{
+  Marker room = makeMarker(frame, frame, 0, Marker::LINE_LIST);
+  room.frame_locked = true;
+  setScale(room, kEdgeWidth, 0.0, 0.0);
+  setColor(room, 0.62f, 0.80f, 0.92f, 1.0f);
+  const auto corner = [&](int bits) {
+    return toPoint({(bits & 1 ? 0.5 : -0.5) * size.x(), (bits & 2 ? 0.5 : -0.5) * size.y(), bits & 4 ? size.z() : 0.0});
+  };
+  for (int from = 0; from < 8; ++from)
+    for (const int axis : {1, 2, 4})
+    {
+      if (from & axis) continue;
+      room.points.push_back(corner(from));
+      room.points.push_back(corner(from | axis));
+    }
+  return room;
+}
 }  // namespace
 
 std::string readText(const std::string& path)
@@ -113,7 +136,8 @@ void appendBody(const ping_pong::Body& body, Markers& markers)
 {
   if (body.urdf_path.empty())
   {
-    markers.push_back(floorPicture(body.name));
+    const std::optional<ping_pong::Vector3d> room = ping_pong::roomSize(body);
+    markers.push_back(room ? roomPicture(body.name, *room) : floorPicture(body.name));
     return;
   }
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(readText(body.urdf_path));

@@ -8,6 +8,8 @@ namespace ping_pong_sim
 {
 namespace
 {
+constexpr double kSpheresPerSecond = 300000.0;  // of wall time
+
 std::vector<ping_pong::BallId> ballIds(const ping_pong::World& world)
 {
   std::vector<ping_pong::BallId> ids(world.ballCount());
@@ -41,7 +43,9 @@ void MarkerPublisher::observeTick()
 
 void MarkerPublisher::update(WallClock::time_point now)
 {
-  if (gate_.open(now)) publish();
+  // RViz keeps up with so many spheres; a larger crowd is shown less often.
+  const double busy = static_cast<double>(simulation_.world().ballCount()) / kSpheresPerSecond;
+  if (gate_.open(now, busy)) publish();
 }
 
 void MarkerPublisher::publish()
@@ -77,10 +81,10 @@ void MarkerPublisher::fill(visualization_msgs::MarkerArray& message, bool newcom
   if (newcomer || shown_.empty() || ids != shown_)
   {
     message.markers.push_back(deleteAllMarkers());
-    if (!isCrowd(world)) appendSingleBalls(world, message.markers);
+    if (!simulation_.isDrawnAsList()) appendSingleBalls(world, message.markers);
   }
   if (!newcomer) shown_ = ids;
-  if (isCrowd(world)) appendCrowd(world, simulation_.clock().now(), message.markers);
+  if (simulation_.isDrawnAsList()) appendCrowd(world, simulation_.clock().now(), message.markers);
   const auto light = simulation_.props().find(blobs_);
   if (light != simulation_.props().end()) message.markers.push_back(blobShadows(simulation_, light->second.p));
   message.markers.push_back(trails_.marker(simulation_));

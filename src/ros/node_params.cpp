@@ -43,6 +43,30 @@ bool isCount(double number)
   return number >= 1.0 && number <= 1e6 && number == std::floor(number);
 }
 
+bool isBallCount(double number)
+{
+  return number >= 0.0 && number <= static_cast<double>(ping_pong::kMaxBalls) && number == std::floor(number);
+}
+bool isContactRate(double rate)
+{
+  return rate >= 1.0 && rate <= 1e6;
+}
+bool isSeed(double number)
+{
+  return number >= -1.0 && number <= 0x1p53 && number == std::floor(number);
+}
+
+ping_pong::LoadOptions readLoad(ParamReader& reader)
+{
+  ping_pong::LoadOptions load;
+  load.balls = static_cast<std::size_t>(
+      reader.number("balls", 0.0, isBallCount, "a whole number from 1 to 100000, or 0 (the scene's own)"));
+  const double seed = reader.number("seed", -1.0, isSeed, "a whole number >= 0, or -1 (the scene's own)");
+  load.has_seed = seed >= 0.0;
+  if (load.has_seed) load.seed = static_cast<std::uint64_t>(seed);
+  return load;
+}
+
 FeedParams readFeed(const ros::NodeHandle& nh, ParamReader& reader, double tick)
 {
   FeedParams feed;
@@ -119,6 +143,10 @@ NodeParams readParams(const ros::NodeHandle& private_nh)
       reader.number("command_timeout", p.command_timeout, isTimeout, "a time above 0 [s] (.inf: never)");
   p.paused = reader.flag("paused", p.paused);
   p.rewind_clock = reader.flag("rewind_clock", p.rewind_clock);
+  p.compact_above = static_cast<std::size_t>(reader.number("compact_above", static_cast<double>(p.compact_above), isBallCount,
+                                                           "a whole number from 0 to 100000"));
+  p.contact_rate = reader.number("contact_rate", p.contact_rate, isContactRate, "a rate from 1 to 1000000 [1/s]");
+  p.load = readLoad(reader);
   p.method = reader.text("method", p.method);
   p.dt = reader.number("dt", p.dt, isStep, "a step from 0 (the scene's own) to 1 [s]");
   p.tolerance =
@@ -146,9 +174,10 @@ std::string scenePath(const NodeParams& params, const std::string& scene)
   return is_path || params.scene_directory.empty() ? scene : params.scene_directory + "/" + scene + ".yaml";
 }
 
-ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene_name)
+ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene_name,
+                              const ping_pong::LoadOptions& options)
 {
-  ping_pong::Scene scene = ping_pong::loadScene(scenePath(params, scene_name));
+  ping_pong::Scene scene = ping_pong::loadScene(scenePath(params, scene_name), options);
   if (params.method != kMethodOfScene) scene.method = ping_pong::methodFromName(params.method);
   if (params.dt > 0.0) scene.dt = params.dt;
   if (params.tolerance > 0.0) scene.tolerance = params.tolerance;

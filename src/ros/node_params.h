@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ball_feed.h"
-#include "ping_pong_sim/scene.h"
+#include "ping_pong_sim/scene_loader.h"
 #include "props.h"
 
 namespace ping_pong_sim
@@ -24,6 +24,9 @@ struct NodeParams
   double command_timeout = 0.5;   ///< in simulated time [s]
   bool paused = false;            ///< at the start
   bool rewind_clock = false;      ///< ~reset also sets the clock back
+  std::size_t compact_above = 200;  ///< more balls than this are a crowd
+  double contact_rate = 10000.0;   ///< of `contacts`, per wall second, at most [1/s]
+  ping_pong::LoadOptions load;     ///< of the scene that the node starts with: number and seed of balls
   std::string method = kMethodOfScene;
   double dt = 0.0;         ///< [s]; 0: the scene's
   double tolerance = 0.0;  ///< [m]; 0: the scene's
@@ -40,7 +43,8 @@ NodeParams readParams(const ros::NodeHandle& private_nh);
 /// The file that `scene` means: itself if it looks like a path, else a name in the scene directory.
 std::string scenePath(const NodeParams& params, const std::string& scene);
 
-/// Loads a scene, applies ~method, ~dt and ~tolerance, and checks that its names can be ROS names. Throws
+/// Loads a scene with a number and a seed of balls, applies ~method, ~dt and ~tolerance, and checks that its names can be ROS names. Throws
 /// std::runtime_error.
-ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene);
+ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene,
+                              const ping_pong::LoadOptions& options = {});
 }  // namespace ping_pong_sim

@@ -30,11 +30,11 @@ WallClock::time_point Pacer::next(WallClock::time_point now)
 
 RateGate::RateGate(double rate) : interval_(fromSeconds(1.0 / rate)), due_(WallClock::now()) {}
 
-bool RateGate::open(WallClock::time_point now)
+bool RateGate::open(WallClock::time_point now, double busy)
 {
   // Half a millisecond early counts as due: else a tick rate equal to the gate's would pass every second time only.
   if (now + std::chrono::microseconds(500) < due_) return false;
-  due_ = std::max(due_ + interval_, now);
+  due_ = std::max(due_ + std::max(interval_, fromSeconds(busy)), now);
   return true;
 }
 }  // namespace ping_pong_sim

@@ -31,7 +31,8 @@ class RateGate
 public:
   /// @param rate  [1/s], > 0
   explicit RateGate(double rate);
-  bool open(WallClock::time_point now);
+  /// @param busy  wall time that must pass before it opens again, if that is longer than the interval [s]
+  bool open(WallClock::time_point now, double busy = 0.0);
 
 private:
   WallClock::duration interval_;

@@ -43,10 +43,10 @@ SimNode::SimNode()
       params_(readParams(private_nh_)),
       use_sim_time_(ros::Time::isSimTime()),
       paused_(params_.paused),
-      simulation_(params_, loadSceneFor(params_, params_.scene), command_nh_, rejections_, firstStamp(use_sim_time_)),
-      states_(nh_, simulation_, paused_, jobs_),
+      simulation_(params_, loadSceneFor(params_, params_.scene, params_.load), command_nh_, rejections_, firstStamp(use_sim_time_)),
+      states_(nh_, params_, simulation_, paused_, jobs_),
       markers_(nh_, params_.marker_rate, params_.blob_shadows, simulation_, jobs_),
-      status_(nh_, params_, simulation_, rejections_, paused_),
+      status_(nh_, params_, simulation_, rejections_, states_, paused_),
       pacer_(params_.real_time_factor > 0.0 ? params_.tick() / params_.real_time_factor : 0.0),
       state_gate_(params_.publish_rate),
       clock_gate_(params_.clock_rate),
@@ -118,8 +118,8 @@ void SimNode::waitUntil(WallClock::time_point deadline)
 void SimNode::afterTick(bool publish_state)
 {
   const WallClock::time_point now = WallClock::now();
-  states_.publishContacts();
-  if (publish_state) states_.publish();
+  states_.publishContacts(now);
+  if (publish_state) states_.publish(now);
   markers_.observeTick();
   markers_.update(now);
   status_.update(now);
@@ -143,7 +143,7 @@ void SimNode::setPaused(bool paused)
     if (!use_sim_time_) simulation_.clock().catchUp(ros::Time::now());
     pacer_.restart(WallClock::now());
   }
-  states_.publish();
+  states_.publishAll();
   markers_.publish();
   publishClock();
   status_.publish(WallClock::now());
@@ -151,6 +151,7 @@ void SimNode::setPaused(bool paused)
 
 void SimNode::reset()
 {
+  states_.forgetPast();
   simulation_.reset();
   markers_.forgetPast();
   showJump(true);
@@ -181,6 +182,7 @@ void SimNode::step(double duration, Step::Response& response)
     }
     afterTick(true);
   }
+  states_.publishAll();
   markers_.publish();
   publishClock();
   response.time = simulation_.world().time();
@@ -191,6 +193,7 @@ void SimNode::step(double duration, Step::Response& response)
 void SimNode::load(const ping_pong::Scene& scene)
 {
   simulation_.load(scene);
+  states_.forgetPast();
   markers_.forgetPast();
   markers_.publishBodies();
   showJump(true);
@@ -201,7 +204,7 @@ void SimNode::showJump(bool bodies_too)
 {
   simulation_.clock().addJump();
   if (bodies_too) states_.publishStaticFrames();
-  states_.publish();
+  states_.publishAll();
   markers_.publish();
   publishClock();
   status_.publish(WallClock::now());

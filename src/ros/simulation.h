@@ -3,6 +3,7 @@
 
 #include <ros/node_handle.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -28,6 +29,8 @@ struct Counters
   ping_pong::StepStatus last;       ///< of the last tick
 };
 
+constexpr std::size_t kNamedBalls = 50;  ///< of a crowd: those that have a frame. More balls than this are drawn as a list
+
 class Simulation
 {
 public:
@@ -51,6 +54,12 @@ public:
   const std::vector<std::unique_ptr<PaddleControl>>& paddles() const { return paddles_; }
   const Counters& counters() const { return counters_; }
   const Rally& rally() const { return rally_; }
+  /// More balls than are told one by one.
+  bool isCrowd() const { return world_->ballCount() > params_.compact_above; }
+  /// More balls than are drawn one by one: RViz draws ten thousand spheres of a list, but hardly a thousand single ones.
+  bool isDrawnAsList() const { return world_->ballCount() > std::min(params_.compact_above, kNamedBalls); }
+  /// Balls that have a frame and can be selected: all, or the first few of a crowd.
+  std::size_t ballsByName() const { return isCrowd() ? std::min(world_->ballCount(), kNamedBalls) : world_->ballCount(); }
   Props& props() { return props_; }
   const Props& props() const { return props_; }
   /// Simulated time since the node started; never goes back [s].

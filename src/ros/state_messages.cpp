@@ -85,13 +85,13 @@ void fillMovingFrames(const Simulation& simulation, tf2_msgs::TFMessage& message
 {
   const ping_pong::World& world = simulation.world();
   const ros::Time stamp = simulation.clock().now();
-  message.transforms.resize(simulation.paddles().size() + world.ballCount());
+  message.transforms.resize(simulation.paddles().size() + simulation.ballsByName());
   std::size_t next = 0;
   for (const auto& paddle : simulation.paddles())
   {
     setFrame(message.transforms[next++], stamp, world.body(paddle->body()).name, world.bodyPose(paddle->body()));
   }
-  for (std::size_t i = 0; i < world.ballCount(); ++i)
+  for (std::size_t i = 0; i < simulation.ballsByName(); ++i)
   {
     const ping_pong::BallState state = world.ballState(i);
     setFrame(message.transforms[next++], stamp, ballFrame(world.ballId(i)), {state.p_WB, state.q_WB});

@@ -1,9 +1,21 @@
 #include "state_publisher.h"
 
+#include "crowd_message.h"
+
 namespace ping_pong_sim
 {
-StatePublisher::StatePublisher(ros::NodeHandle& nh, const Simulation& simulation, const bool& paused, JobQueue& jobs)
+namespace
+{
+constexpr double kBallsRate = 10.0;            // of `balls` in a crowd, per wall second [1/s]
+constexpr double kBallsPerSecond = 300000.0;   // on `crowd`, per wall second
+}  // namespace
+
+StatePublisher::StatePublisher(ros::NodeHandle& nh, const NodeParams& params, const Simulation& simulation,
+                               const bool& paused, JobQueue& jobs)
     : simulation_(simulation),
+      balls_gate_(kBallsRate),
+      crowd_gate_(params.marker_rate),
+      contact_tokens_(params.contact_rate),
       static_frames_(nh.advertise<tf2_msgs::TFMessage>("/tf_static", 10, true)),
       contacts_(nh.advertise<Contact>("contacts", 10000)),
       // A newcomer to a running simulation waits for the next tick: the same stamp twice makes tf2 complain.
@@ -19,6 +31,12 @@ StatePublisher::StatePublisher(ros::NodeHandle& nh, const Simulation& simulation
                fillBalls(simulation_, message);
                return true;
              }),
+      crowd_(nh, "crowd", 10, jobs,
+             [this](Crowd& message, bool)
+             {
+               fillCrowd(simulation_, message);
+               return true;
+             }),
       paddles_(nh, "paddles", 100, jobs,
                [this](PaddleStates& message, bool)
                {
@@ -29,23 +47,52 @@ StatePublisher::StatePublisher(ros::NodeHandle& nh, const Simulation& simulation
   publishStaticFrames();
 }
 
-void StatePublisher::publish()
+void StatePublisher::publish(WallClock::time_point now)
+{
+  publishFrames();
+  if (!simulation_.isCrowd() || balls_gate_.open(now)) publishBalls();
+  if (crowd_gate_.open(now, static_cast<double>(simulation_.world().ballCount()) / kBallsPerSecond)) publishCrowd();
+}
+
+void StatePublisher::publishAll()
+{
+  publishFrames();
+  publishBalls();
+  publishCrowd();
+}
+
+void StatePublisher::publishFrames()
 {
   const ros::Time stamp = simulation_.clock().now();
   if (stamp == last_stamp_) return;
   last_stamp_ = stamp;
   frames_.publish();
-  balls_.publish();
   paddles_.publish();
 }
 
-void StatePublisher::publishContacts()
+void StatePublisher::publishBalls()
+{
+  const ros::Time stamp = simulation_.clock().now();
+  if (stamp == balls_stamp_) return;
+  balls_stamp_ = stamp;
+  balls_.publish();
+}
+
+void StatePublisher::publishCrowd()
+{
+  const ros::Time stamp = simulation_.clock().now();
+  if (stamp == crowd_stamp_) return;
+  crowd_stamp_ = stamp;
+  crowd_.publish();
+}
+
+void StatePublisher::publishContacts(WallClock::time_point now)
 {
   if (contacts_.getNumSubscribers() == 0) return;
-  for (const ping_pong::Contact& contact : simulation_.world().contacts())
-  {
-    contacts_.publish(toContact(simulation_, contact));
-  }
+  const std::vector<ping_pong::Contact>& contacts = simulation_.world().contacts();
+  const std::size_t told = contact_tokens_.take(contacts.size(), now);
+  for (std::size_t i = 0; i < told; ++i) contacts_.publish(toContact(simulation_, contacts[i]));
+  contacts_left_out_ += contacts.size() - told;
 }
 
 void StatePublisher::publishStaticFrames()

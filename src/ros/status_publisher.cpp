@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "ping_pong_sim/state_hash.h"
 #include "state_messages.h"
 
 namespace ping_pong_sim
 {
 namespace
 {
-constexpr std::size_t kMostBallIds = 50;
-
 void fillNames(const Simulation& simulation, SimStatus& message)
 {
   const ping_pong::World& world = simulation.world();
@@ -26,16 +25,18 @@ void fillNames(const Simulation& simulation, SimStatus& message)
   {
     if (isShown(world, prop.first)) message.props.push_back(prop.first);
   }
-  message.ball_ids.resize(std::min(world.ballCount(), kMostBallIds));
+  message.ball_ids.resize(std::min(world.ballCount(), kNamedBalls));
   for (std::size_t i = 0; i < message.ball_ids.size(); ++i) message.ball_ids[i] = world.ballId(i);
 }
 }  // namespace
 
 StatusPublisher::StatusPublisher(ros::NodeHandle& nh, const NodeParams& params, const Simulation& simulation,
-                                 const Rejections& rejections, const bool& paused)
+                                 const Rejections& rejections, const StatePublisher& states,
+                                 const bool& paused)
     : params_(params),
       simulation_(simulation),
       rejections_(rejections),
+      states_(states),
       paused_(paused),
       publisher_(nh.advertise<SimStatus>("status", 10, true))
 {
@@ -79,10 +80,12 @@ void StatusPublisher::fill()
   message_.real_time_factor = meter_.realTimeFactor();
   message_.balls = static_cast<std::uint32_t>(world.ballCount());
   message_.contacts = counters.contacts;
+  message_.contacts_left_out = states_.contactsLeftOut();
   message_.contact_rate = meter_.contactRate();
   message_.kinetic_energy = totals.kinetic;
   message_.rotational_energy = totals.rotational;
   message_.potential_energy = totals.potential;
+  message_.state_hash = ping_pong::stateHash(world);
   message_.squeezed = static_cast<std::uint32_t>(counters.last.squeezed);
   message_.blocked_paddles = static_cast<std::uint32_t>(counters.last.blocked_paddles);
   message_.rejected = rejected_seen_;

@@ -11,6 +11,7 @@
 #include "rate_meter.h"
 #include "rejections.h"
 #include "simulation.h"
+#include "state_publisher.h"
 
 namespace ping_pong_sim
 {
@@ -19,7 +20,7 @@ class StatusPublisher
 public:
   /// @param paused  read in the simulation loop
   StatusPublisher(ros::NodeHandle& nh, const NodeParams& params, const Simulation& simulation,
-                  const Rejections& rejections, const bool& paused);
+                  const Rejections& rejections, const StatePublisher& states, const bool& paused);
 
   /// After every tick, and while paused now and then: publishes what is due by wall time.
   void update(WallClock::time_point now);
@@ -33,6 +34,7 @@ private:
   const NodeParams& params_;
   const Simulation& simulation_;
   const Rejections& rejections_;
+  const StatePublisher& states_;
   const bool& paused_;
   std::uint64_t rejected_seen_ = 0;
   RateMeter meter_;

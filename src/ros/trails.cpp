@@ -18,7 +18,7 @@ constexpr float kOpacity = 0.6f;    ///< at the ball
 void Trails::observe(const Simulation& simulation)
 {
   const ping_pong::World& world = simulation.world();
-  if (isCrowd(world)) return clear();
+  if (simulation.isDrawnAsList()) return clear();
   const double now = simulation.elapsed();
   // The centre at each impact, so that a bounce is a corner and not cut.
   for (const ping_pong::Contact& contact : world.contacts())

@@ -72,6 +72,54 @@ TEST(BroadPhase, FindsEveryPairOnce)
   }
 }
 
+TEST(BroadPhase, FindsBoxesThatWereAddedLater)
+{
+  BroadPhase broad_phase;
+  const std::vector<Box> boxes = someBoxes(500, 3), later = someBoxes(400, 8), asked = someBoxes(300, 4);
+  broad_phase.findPairs(boxes);
+  for (std::uint32_t i = 0; i < later.size(); ++i) broad_phase.add(i, later[i]);
+  std::vector<std::uint32_t> found;
+  std::size_t overlapping = 0;
+  for (const Box& box : asked)
+  {
+    broad_phase.findAdded(box, found);
+    const std::set<std::uint32_t> told(found.begin(), found.end());
+    for (std::uint32_t i = 0; i < later.size(); ++i)
+    {
+      if (!later[i].overlaps(box)) continue;
+      ++overlapping;
+      EXPECT_TRUE(told.count(i)) << i;
+    }
+  }
+  EXPECT_GT(overlapping, 500u);
+  broad_phase.findPairs(boxes);
+  broad_phase.findAdded(asked[0], found);
+  EXPECT_TRUE(found.empty());
+}
+
+TEST(BroadPhase, LooksAtFewOfManyAddedBoxes)
+{
+  Random random(5);
+  std::vector<Box> boxes(5000);
+  for (Box& box : boxes)
+  {
+    box.low = random.vector(0.0, 1.0);
+    box.high = box.low.array() + 0.05;
+  }
+  BroadPhase broad_phase;
+  broad_phase.findPairs(boxes);
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) broad_phase.add(i, boxes[i]);
+  std::vector<std::uint32_t> found;
+  std::size_t looked_at = 0;
+  for (const Box& box : boxes)
+  {
+    broad_phase.findAdded(box, found);
+    looked_at += found.size();
+  }
+  measured("added boxes looked at, of 5000", static_cast<double>(looked_at) / 5000.0);
+  EXPECT_LT(looked_at / 5000, 250u);
+}
+
 TEST(BroadPhase, FindsWhoOverlapsABoxThatWasNotThere)
 {
   BroadPhase broad_phase;

@@ -146,7 +146,7 @@ TEST(Simulate, SaysWhatAutoTakesAndWhy)
   const std::string arguments = shipped("arc") + " --duration 0.2";
   const Output automatic = simulate(arguments + " --method auto");
   const std::vector<std::string> summary = lines(automatic.err);
-  ASSERT_EQ(summary.size(), 6u) << automatic.err;
+  ASSERT_EQ(summary.size(), 7u) << automatic.err;
   EXPECT_EQ(summary[0], "scene arc, method exact, 1 balls, 0.2 s simulated");
   const std::string start = "auto takes exact: flight in closed form, since no force but gravity acts; one ball";
   EXPECT_EQ(summary[1].rfind(start, 0), 0u) << summary[1];
@@ -190,19 +190,36 @@ TEST(Simulate, SummarisesOnStandardError)
 {
   const Output output = simulate(shipped("arc") + " --duration 0.5");
   const std::vector<std::string> summary = lines(output.err);
-  ASSERT_EQ(summary.size(), 5u) << output.err;
+  ASSERT_EQ(summary.size(), 6u) << output.err;
   EXPECT_EQ(summary[0], "scene arc, method exact, 1 balls, 0.5 s simulated");
   EXPECT_TRUE(std::regex_match(summary[1], std::regex("cost .* s wall, .* us per ball and simulated second, .*")));
   EXPECT_TRUE(std::regex_match(summary[2], std::regex("contacts \\d+, events \\d+")));
   EXPECT_TRUE(std::regex_match(summary[3], std::regex("energy .* J at start, .* J at end")));
-  EXPECT_EQ(summary[4], "status ok");
+  EXPECT_TRUE(std::regex_match(summary[4], std::regex("state hash [0-9a-f]{16}")));
+  EXPECT_EQ(summary[5], "status ok");
+}
+
+TEST(Simulate, TellsAHashOfTheEnd)
+{
+  const auto hashOf = [](const std::string& arguments) { return lines(simulate(shipped("tray") + arguments).err).at(4); };
+  EXPECT_TRUE(startsWith(hashOf(" --duration 1"), "state hash "));
+  EXPECT_EQ(hashOf(" --duration 1"), hashOf(" --duration 1 --rate 7"));  // rows change nothing
+  EXPECT_NE(hashOf(" --duration 1"), hashOf(" --duration 1 --seed 2"));
+}
+
+TEST(Simulate, TakesAnotherNumberOfBalls)
+{
+  const Output output = simulate(shipped("gas") + " --duration 0.1 --rate 10 --balls 30");
+  EXPECT_EQ(output.status, 0) << output.err;
+  EXPECT_EQ(lines(output.out).size(), 1u + 2u * 30u);
+  EXPECT_EQ(simulate(shipped("gas") + " --duration 0.1 --rate 10 --balls 30 --seed 3").status, 0);
 }
 
 TEST(Simulate, ExplainsItself)
 {
   const Output output = simulate("--help");
   EXPECT_EQ(output.status, 0);
-  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--contacts"})
+  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--balls", "--contacts"})
     EXPECT_NE(output.out.find(option), std::string::npos) << option;
   for (const Method method : kMethods) EXPECT_NE(output.out.find(name(method)), std::string::npos) << name(method);
   EXPECT_NE(output.out.find("auto"), std::string::npos);
@@ -224,6 +241,8 @@ TEST(Simulate, RefusesBadInputWithOneLineAndStatusTwo)
       {arc + " --duration 1 --dt nan", "--dt: nan: expected"},
       {arc + " --duration 1 --method magic", "--method: magic: expected one of: euler_explicit"},
       {arc + " --duration 1 --seed -1", "--seed: -1: expected an integer"},
+      {arc + " --duration 1 --balls 0", "--balls: 0: expected an integer from 1 to 100000"},
+      {arc + " --duration 1 --balls 1e3", "--balls: 1e3: expected an integer from 1 to 100000"},
       {arc + " --duration 1 --contacts ''", "--contacts: nothing: expected"},
       {arc + " --duration 1 --fast", "--fast: unknown option: expected"},
       {arc + " --duration 1 -q", "-q: unknown option: expected"},

@@ -88,6 +88,13 @@ TEST(Parameters, HalfABallToKeep)
   expectRefused(kScene + " _feed_keep:=2.5", {"/refused/feed_keep", "2.5", "a whole number"});
 }
 
+TEST(Parameters, BallsOfASceneWithoutAPattern)
+{
+  expectRefused(kScene + " _balls:=20", {"bench.yaml", "0 random patterns", "the 20 balls"});
+  expectRefused(kScene + " _balls:=-3", {"/refused/balls", "-3", "a whole number from 1 to 100000"});
+  expectRefused(kScene + " _seed:=0.5", {"/refused/seed", "0.5", "a whole number >= 0"});
+}
+
 TEST(Parameters, NoScene)
 {
   expectRefused("", {"/refused/scene", "expected"});

@@ -1,0 +1,164 @@
+#include "crowd_run.h"
+
+#include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "ping_pong_sim/state_hash.h"
+#include "ping_pong_sim/world.h"
+
+namespace ping_pong::bench
+{
+namespace
+{
+constexpr double kTick = 0.01;  // [s]: a picture or a message a hundred times a second
+constexpr int kLooks = 10;
+
+double now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A line of /proc/self/status, in bytes.
+double memory(const std::string& key)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.compare(0, key.size(), key) == 0) return 1024.0 * std::stod(line.substr(key.size() + 1));
+  throw std::runtime_error("no " + key + " in /proc/self/status");
+}
+
+/// Our world with what only it can tell.
+class OurCrowd : public Engine
+{
+public:
+  OurCrowd(Scene scene, const std::string& variant, double step) : world_(prepared(std::move(scene), variant, step)) {}
+  void drive(std::size_t, const Twist&) override {}
+  void advance(double duration) override
+  {
+    const StepStatus status = world_.advance(duration);
+    contacts += static_cast<double>(status.contacts);
+    events += static_cast<double>(status.events);
+  }
+  BallState ballState(std::size_t ball) const override { return world_.ballState(ball); }
+  std::uint64_t hash() const { return stateHash(world_); }
+
+  double contacts = 0.0, events = 0.0;
+
+private:
+  static Scene prepared(Scene scene, const std::string& variant, double step)
+  {
+    scene.method = methodFromName(variant);
+    scene.dt = step;
+    return scene;
+  }
+  World world_;
+};
+
+class Run
+{
+public:
+  Run(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort)
+    : crowd_(crowd), effort_(effort), begin_(now()), scene_(crowdOf(crowd, balls))
+  {
+    malloc_trim(0);  // what loading took is not the engine's
+    std::ofstream("/proc/self/clear_refs") << 5;
+    const double before = memory("VmRSS:");
+    const double start = now();
+    if (point.engine->name == "ping_pong_sim")
+      engine_ = std::make_unique<OurCrowd>(scene_, point.variant, point.step);
+    else
+      engine_ = point.engine->make(scene_, point.variant, point.step);
+    ours_ = dynamic_cast<OurCrowd*>(engine_.get());
+    result_.start = now() - start;
+    measure();
+    result_.bytes = memory("VmHWM:") - before;
+    result_.wall = now() - begin_;
+  }
+  const CrowdResult& result() const { return result_; }
+
+private:
+  void measure()
+  {
+    const double energy = look().energy;
+    for (double t = 0.0; t < crowd_.warm_up - 0.5 * kTick; t += kTick) engine_->advance(kTick);
+    if (ours_) ours_->contacts = ours_->events = 0.0;
+    const int ticks = static_cast<int>(std::lround(crowd_.longest / kTick));
+    double spent = 0.0;
+    int done = 0;
+    while (done < ticks)
+    {
+      const double tick = now();
+      engine_->advance(kTick);
+      spent += now() - tick;
+      ++done;
+      if (done % std::max(1, ticks / kLooks) == 0) look();
+      if (now() - begin_ > effort_.most) break;
+      if (crowd_.steady && spent > effort_.steady) break;
+    }
+    result_.simulated = done * kTick;
+    result_.done = crowd_.steady || done == ticks;
+    result_.cost = spent / result_.simulated;
+    const Soundness end = look();
+    result_.energy_change = end.energy / energy - 1.0;
+    result_.escaped = static_cast<double>(end.escaped);
+    if (!ours_) return;
+    result_.contacts = ours_->contacts / result_.simulated;
+    result_.events = ours_->events / result_.simulated;
+    result_.hash = ours_->hash();
+  }
+
+  Soundness look()
+  {
+    std::vector<BallState> states(scene_.balls.size());
+    for (std::size_t i = 0; i < states.size(); ++i) states[i] = engine_->ballState(i);
+    const Soundness found = soundnessOf(scene_, states);
+    result_.overlap = std::max(result_.overlap, found.overlap);
+    return found;
+  }
+
+  const CrowdScene& crowd_;
+  const CrowdEffort& effort_;
+  double begin_;
+  Scene scene_;
+  std::unique_ptr<Engine> engine_;
+  OurCrowd* ours_ = nullptr;
+  CrowdResult result_;
+};
+}  // namespace
+
+CrowdResult measureCrowd(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort)
+{
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) throw std::runtime_error("no pipe");
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process");
+  if (child == 0)
+  {
+    alarm(static_cast<unsigned>(2.0 * effort.most) + 1);  // one tick alone may take for ever
+    CrowdResult result;
+    try
+    {
+      result = Run(point, crowd, balls, effort).result();
+    }
+    catch (const std::exception&)
+    {
+      result = CrowdResult();
+    }
+    const bool told = write(pipe_ends[1], &result, sizeof result) == static_cast<ssize_t>(sizeof result);
+    _exit(told ? 0 : 1);
+  }
+  close(pipe_ends[1]);
+  CrowdResult result;
+  if (read(pipe_ends[0], &result, sizeof result) != static_cast<ssize_t>(sizeof result)) result = CrowdResult();
+  close(pipe_ends[0]);
+  waitpid(child, nullptr, 0);
+  return result;
+}
+}  // namespace ping_pong::bench

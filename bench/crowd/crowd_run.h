@@ -1,0 +1,41 @@
+// One point: an engine, a scene, a number of balls; in a process of its own, so that its memory is its own.
+#pragma once
+
+#include <cstdint>
+
+#include "../engine.h"
+#include "crowd_scene.h"
+
+namespace ping_pong::bench
+{
+struct CrowdPoint
+{
+  const EngineKind* engine = nullptr;
+  std::string variant;
+  double step = 0.0;  ///< [s]; not looked at by `exact`
+};
+
+struct CrowdResult
+{
+  bool done = false;            ///< else nothing below counts
+  double start = 0.0;           ///< wall time from scene to engine [s]
+  double simulated = 0.0;       ///< measured part [s]
+  double cost = 0.0;            ///< wall time per simulated second [s]
+  double wall = 0.0;            ///< all of the process [s]
+  double bytes = 0.0;           ///< peak memory of engine and run
+  double contacts = 0.0;        ///< per simulated second; of our own engine
+  double events = 0.0;
+  double energy_change = 0.0;   ///< at the end, relative
+  double overlap = 0.0;         ///< deepest seen: at 10 looks, or all ticks if fewer [m]
+  double escaped = 0.0;         ///< balls at the end
+  std::uint64_t hash = 0;       ///< of the end; of our own engine
+};
+
+struct CrowdEffort
+{
+  double steady = 2.0;     ///< wall time to measure where any part will do [s]
+  double most = 60.0;      ///< wall time that a point may take in all [s]
+};
+
+CrowdResult measureCrowd(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort);
+}  // namespace ping_pong::bench

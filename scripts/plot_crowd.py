@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+"""Writes docs/crowd_cost.md and its chart from the CSV file of the program `crowd`.
+
+usage: plot_crowd.py CSV DOCS
+"""
+import csv
+import os
+import sys
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+from chart_data import OURS  # noqa: E402
+from plot_chart import INK, label, save, style, with_prefix  # noqa: E402
+
+SCENES = {"gas": "gas: elastic, 1 % of the room, no gravity", "crowd": "crowd: falling for 1 s, e = 0.8 and 0.9"}
+ENOUGH = 1000  # balls, from which on memory is mostly theirs
+
+
+def read(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        lines = file.readlines()
+    about = dict(line[2:].strip().split(": ", 1) for line in lines if line.startswith("#"))
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    for row in rows:
+        for key, value in row.items():
+            if key not in ("scene", "engine", "variant", "hash"):
+                row[key] = float(value)
+    return about, rows
+
+
+def lines_of(rows, scene):
+    lines = {}
+    for row in rows:
+        if row["scene"] == scene and row["done"]:
+            lines.setdefault((row["engine"], row["variant"], row["step"]), []).append(row)
+    return lines
+
+
+def name(line):
+    text = label(line[:2]).replace(", default", "")
+    return text if line[2] == 0.0 else f"{text}, {with_prefix(line[2], 's')}"
+
+
+def look(line):
+    chosen = style(line[:2])
+    if line[0] != OURS:
+        chosen["linestyle"] = "-" if line[2] < 2e-3 else "--"
+    return chosen
+
+
+def axes_of(axis, title, unit):
+    axis.set_xscale("log")
+    axis.set_yscale("log")
+    axis.set_title(title, loc="left", fontsize=11, color=INK)
+    axis.set_xlabel("balls")
+    axis.yaxis.set_major_formatter(lambda y, _: with_prefix(y, unit) if y > 0.0 else "0")
+    axis.yaxis.set_minor_formatter(lambda y, _: "")
+
+
+def draw_cost(axis, rows, scene):
+    for line, points in lines_of(rows, scene).items():
+        axis.plot([p["balls"] for p in points], [1e-6 * p["cost_us"] for p in points], label=name(line), **look(line))
+    costs = [1e-6 * p["cost_us"] for points in lines_of(rows, scene).values() for p in points]
+    axis.plot([1.0, 1e6], [1.0, 1e-6], color=INK, linewidth=1.0, linestyle=":", label="real time on one core")
+    axes_of(axis, SCENES[scene], "s")
+    axis.set_ylim(0.5 * min(costs), 3.0 * max(costs))
+    axis.set_xlim(0.8, 1.3e5)
+    axis.set_ylabel("cost of a ball and simulated second")
+
+
+def draw_memory(axis, rows):
+    for line, points in lines_of(rows, "gas").items():
+        shown = [p for p in points if p["balls"] >= ENOUGH]
+        axis.plot([p["balls"] for p in shown], [p["bytes"] for p in shown], **look(line))
+    axes_of(axis, "gas: memory of a ball, at the peak", "B")
+    axis.yaxis.set_major_formatter(lambda y, _: f"{1e-3 * y:g} kB")
+    axis.set_xlim(0.8 * ENOUGH, 1.3e5)
+    axis.set_ylabel("memory of a ball")
+
+
+def draw_contacts(axis, rows):
+    for scene, filled in (("gas", True), ("crowd", False)):
+        for line, points in lines_of(rows, scene).items():
+            if line[0] != OURS:
+                continue
+            shown = [p for p in points if p["contacts"] > 0.0]
+            chosen = {**look(line), "markersize": 6}
+            if not filled:
+                chosen.update(markerfacecolor="none", markeredgewidth=1.2, linestyle="--")
+            axis.plot([p["balls"] for p in shown], [1e-6 * p["cost_us"] / p["contacts"] for p in shown],
+                      label=f"{name(line)}, {scene}", **chosen)
+    axes_of(axis, "cost of an impact, on walls and balls", "s")
+    axis.set_ylabel("cost of an impact")
+    axis.legend(fontsize=9)
+
+
+def draw(rows, docs):
+    figure, axes = plt.subplots(2, 2, figsize=(11, 9))
+    draw_cost(axes[0][0], rows, "gas")
+    draw_cost(axes[0][1], rows, "crowd")
+    draw_memory(axes[1][0], rows)
+    draw_contacts(axes[1][1], rows)
+    handles, names = axes[0][0].get_legend_handles_labels()
+    axes[1][0].legend(handles, names, fontsize=9, loc="center", bbox_to_anchor=(0.45, 0.68))
+    save(figure, docs, "crowd.svg")
+
+
+def size(length):
+    return "0" if length == 0.0 else f"{1e3 * length:.2g} mm" if length >= 1e-5 else f"{length:.0e} m"
+
+
+def share(change):
+    return f"{change:+.0e}" if abs(change) < 1e-3 else f"{100.0 * change:+.1f} %"
+
+
+def table(rows, scene, balls):
+    text = ["| engine | cost of a ball and simulated second | times real time | simulated | energy | deepest overlap | escaped |",
+            "| --- | --- | --- | --- | --- | --- | --- |"]
+    for line, points in lines_of(rows, scene).items():
+        for p in points:
+            if p["balls"] != balls:
+                continue
+            text.append(f"| {name(line)} | {p['cost_us']:.3g} µs | {1e6 / (p['cost_us'] * balls):.2g} | {p['simulated_s']:.2g} s | {share(p['energy_change'])} | "
+                        f"{size(p['overlap_m'])} | {p['escaped']:.0f} |")
+    return "\n".join(text)
+
+
+def ours_table(rows, scene):
+    text = ["| balls | start | cost of a ball and simulated second | impacts of a ball and second | cost of an impact | memory of a ball | deepest overlap |",
+            "| --- | --- | --- | --- | --- | --- | --- |"]
+    for p in lines_of(rows, scene).get((OURS, "exact", 0.0), []):
+        memory = f"{p['bytes']:.0f} B" if p["balls"] >= ENOUGH else ""
+        impact = f"{p['cost_us'] / p['contacts']:.2g} µs" if p["contacts"] > 0.0 else ""
+        text.append(f"| {p['balls']:.0f} | {with_prefix(float(format(p['start_s'], '.2g')), 's')} | {p['cost_us']:.3g} µs | {p['contacts']:.3g} | {impact} | {memory} | "
+                    f"{size(p['overlap_m'])} |")
+    return "\n".join(text)
+
+
+def most(rows, scene):
+    shown = [p["balls"] for points in lines_of(rows, scene).values() for p in points]
+    return max((n for n in (10000.0, 3162.0, 1000.0) if shown.count(n) > 1), default=1000.0)
+
+
+def write_page(about, rows, docs):
+    text = f"""# Crowds: cost against the number of balls
+
+<!-- Written by scripts/crowd from the output of `crowd`. Change scripts/plot_crowd.py, not this page. -->
+
+The scenes `crowd`, `gas` and `pour` hold 1000, 1000 and 5000 balls, or as many as one asks for:
+
+```
+scripts/play scene:=crowd balls:=3000 seed:=2
+simulate config/scenes/gas.yaml --duration 10 --balls 10000 > states.csv
+```
+
+![The scene `crowd` in RViz](crowd.png)
+
+The rooms of `crowd` and `gas` grow with the number, so that any number meets the same conditions: that is what the chart needs. [physics.md](physics.md#crowds-as-a-gas)
+holds `gas` against kinetic theory; [ros.md](ros.md#topics) says what RViz is told of a crowd.
+
+## The chart
+
+`scripts/crowd --peers` measures and writes this page. Every point is a process of its own, the cheapest of up to three runs, ticks of 10 ms, no output. A line ends where a
+point would take more than a minute. Dotted: what a core can carry in real time. Others with their default settings, at steps of 5 ms (broken lines) and 1 ms.
+
+![Cost, memory and impacts against the number of balls](chart/crowd.svg)
+
+`exact`, gas:
+
+{ours_table(rows, "gas")}
+
+`exact`, crowd:
+
+{ours_table(rows, "crowd")}
+
+Memory is the peak of the whole process less what it held before the engine was made; "start" is from the scene to the first tick.
+
+## Soundness beside cost
+
+Gas, {most(rows, "gas"):.0f} balls. An elastic gas keeps its energy; what others show is what their contacts add or take.
+
+{table(rows, "gas", most(rows, "gas"))}
+
+Crowd, {most(rows, "crowd"):.0f} balls, after a second. Here energy is lost in impacts: `exact` says how much.
+
+{table(rows, "crowd", most(rows, "crowd"))}
+
+A ball is 40 mm wide.
+
+{about.get("machine", "?")}, {about.get("compiler", "?")}, commit {about.get("commit", "?")}. Load of the
+machine at the start: {about.get("load", "?")}; anything but 0 makes times longer, up to twice at a load of 4 on 2 cores.
+"""
+    with open(os.path.join(docs, "crowd_cost.md"), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    about, rows = read(sys.argv[1])
+    draw(rows, sys.argv[2])
+    write_page(about, rows, sys.argv[2])
+
+
+if __name__ == "__main__":
+    main()
