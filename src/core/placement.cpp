@@ -7,6 +7,7 @@ namespace ping_pong
 namespace
 {
 constexpr double kTouching = 1e-9;  // overlap that is no overlap [m]
+constexpr double kPressed = 1e-4;   // overlap that a pile may leave [m]
 constexpr int kMaxPushes = 50;
 
 struct Overlap
@@ -68,6 +69,13 @@ bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, std::size_t
 bool hasRoom(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
 {
   return deepestOverlap(world, p_WB, radius, except).gap >= -kTouching;
+}
+
+bool overlapsABody(const WorldState& world, const Vector3d& p_WB, double radius)
+{
+  Overlap deepest;
+  lookAtBodies(world, p_WB, radius, deepest);
+  return deepest.gap < -kPressed;
 }
 
 std::string describeOverlap(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)

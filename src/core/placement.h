@@ -12,6 +12,9 @@ bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, std::size_t
 /// Whether a ball at this place overlaps nothing by more than 1e-9 m. `except` is a ball that does not count.
 bool hasRoom(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except);
 
+/// Whether a ball at this place overlaps a body by more than balls of a pile do: 1e-4 m.
+bool overlapsABody(const WorldState& world, const Vector3d& p_WB, double radius);
+
 /// What a ball at this place would overlap by more than 1e-9 m: "table (3.2 mm deep)"; empty if nothing. `except` is a ball
 /// that does not count.
 std::string describeOverlap(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except = kNone);

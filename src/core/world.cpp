@@ -22,6 +22,12 @@ constexpr double kLongestMotion = 5e-3;  // [s]
 constexpr std::size_t kContactsInATick = 256;
 constexpr std::size_t kContactsOfABall = 8;
 
+// Each event of each ball on a path of its own.
+bool eventByEvent(Method method)
+{
+  return method == Method::Exact || method == Method::Rk4Located;
+}
+
 std::string refuseState(const BallState& state)
 {
   if (!state.p_WB.allFinite()) return "position: not finite; expected three finite numbers [m]";
@@ -97,7 +103,7 @@ void World::Impl::start()
     bodies.push_back(record);
   }
   for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
-  if (locatesContacts(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
+  if (eventByEvent(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
   planAll();
 }
 
@@ -116,19 +122,28 @@ void World::Impl::makeSpace()
   contact_of.reserve(contacts.capacity());
   obstacles.reserve(bodies.size());
   near_obstacles.reserve(mostNearPairs(bodies));
-  if (locatesContacts(scene.method) && balls.size() > 1) islands.reserve(balls.size());
+  if (eventByEvent(scene.method) && balls.size() > 1) islands.reserve(balls.size());
+  if (scene.method == Method::Impulse) reservePile(pile, balls.size(), !scene.forces.dependOnVelocity());
 }
 
 void World::Impl::planAll()
 {
   makeSpace();
-  if (locatesContacts(scene.method)) restartExact(*this);
+  if (eventByEvent(scene.method)) restartExact(*this);
+  if (scene.method != Method::Impulse) return;
+  clearPile(pile);
+  for (std::uint32_t i = 0; i < balls.size(); ++i) addToPile(*this, i);
 }
 
 void World::Impl::planBall(std::size_t index)
 {
   makeSpace();
-  if (locatesContacts(scene.method)) restartBall(*this, index);
+  if (eventByEvent(scene.method)) restartBall(*this, index);
+  if (scene.method != Method::Impulse) return;
+  if (index == pile.ball.size())
+    addToPile(*this, static_cast<std::uint32_t>(index));
+  else
+    restatePile(*this, index);
 }
 
 // Neumaier's compensated sum.
@@ -188,24 +203,27 @@ double World::Impl::movePaddles(double end)
 
 void World::Impl::runMethod(double end)
 {
-  if (locatesContacts(scene.method))
+  if (eventByEvent(scene.method))
     runExact(*this, end);
+  else if (scene.method == Method::Impulse)
+    runPile(*this, end);
   else
     runFixedStep(*this, end);
 }
 
 // After a body has jumped: balls that it covers are put on its surface, and push on others in turn. Whoever finds no room
-// is squeezed.
+// is squeezed. (In a pile balls may overlap a little, and push each other out.)
 void World::Impl::makeRoom()
 {
+  const bool piled = scene.method == Method::Impulse;
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     BallState state = balls[i].stateAt(time);
-    if (hasRoom(*this, state.p_WB, balls[i].params.radius, i)) continue;
+    if (piled ? !overlapsABody(*this, state.p_WB, balls[i].params.radius) : hasRoom(*this, state.p_WB, balls[i].params.radius, i)) continue;
     const bool room = pushOut(*this, state.p_WB, balls[i].params.radius, i);
     if (room)
       balls[i].path = flyParabola(state, time, Vector3d::Zero());
-    else
+    else if (!piled)
       squeeze(balls[i], state, time);
   }
 }
@@ -275,13 +293,14 @@ BallState World::ballState(std::size_t index) const { return impl_->balls[index]
 bool World::resting(std::size_t index) const
 {
   const BallRecord& ball = impl_->balls[index];
+  if (ball.asleep) return true;
   return !ball.supports.none() && ball.path.degree == 0 && ball.supports.since <= impl_->time;
 }
 
 double World::restingSince(std::size_t index) const
 {
   const BallRecord& ball = impl_->balls[index];
-  return ball.supports.none() ? std::nan("") : ball.supports.since;
+  return ball.supports.none() && !ball.asleep ? std::nan("") : ball.supports.since;
 }
 
 std::size_t World::bodyCount() const { return impl_->bodies.size(); }
@@ -358,6 +377,7 @@ Refusal World::deleteBall(BallId id)
 {
   const std::size_t index = findBall(id);
   if (index == kNone) return {"ball: no ball_" + std::to_string(id)};
+  if (!impl_->pile.ball.empty()) removeFromPile(*impl_, static_cast<std::uint32_t>(index));
   impl_->balls.erase(impl_->balls.begin() + static_cast<std::ptrdiff_t>(index));
   return {};
 }
@@ -387,6 +407,7 @@ Refusal World::setBodyPose(std::size_t body, const Pose& pose)
   record.command = PaddleCommand();
   placeBody(record, {pose.p, pose.q.normalized()});
   impl_->letGo(body);
+  for (BallRecord& ball : impl_->balls) ball.asleep = false;
   impl_->makeRoom();
   impl_->planAll();
   return {};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "broad_phase.h"
+#include "pile.h"
 #include "ping_pong_sim/contact.h"
 #include "ping_pong_sim/detect.h"
 #include "ping_pong_sim/scene.h"
@@ -47,6 +48,7 @@ struct BallRecord
   Segment path;
   Supports supports;
   bool squeezed = false;
+  bool asleep = false;  ///< in the pile, see pile.h
   double step = 0.0;  ///< length of the next piece of flight through air, 0: unknown [s]
   bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
   Event next;         ///< with still bodies; holds until the path changes
@@ -130,6 +132,7 @@ struct WorldState
   StepStatus status;
   bool any_moving = false;                ///< any body, in this window
   IslandRecords islands;
+  Pile pile;
 
   const Surface& surface(const BallRecord& ball, const Shape& shape) const
   {

@@ -1,0 +1,229 @@
+// Impacts within a step, located on parabolas. Each one depends on the velocities just before it alone, and takes energy
+// away: so does any sequence of them.
+#include <algorithm>
+#include <cmath>
+
+#include "count.h"
+#include "pile.h"
+#include "ping_pong_sim/evolve.h"
+#include "ping_pong_sim/resolve.h"
+#include "world_state.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr int kMostSweeps = 24;      // over all links in one step; what is left is up to the contacts
+constexpr int kMostMarchSteps = 20;  // of a search for the time of an impact
+
+Vector3d placeAt(const Pile& pile, std::size_t i, double t)
+{
+  return pile.p[i] + t * (pile.movers[i].v + (0.5 * t) * pile.pathAcceleration(i));
+}
+
+Vector3d velocityAt(const Pile& pile, std::size_t i, double t)
+{
+  return pile.movers[i].v + t * pile.pathAcceleration(i);
+}
+
+// From t on the ball flies with this state: its path is drawn back to the start of the step.
+void fork(Pile& pile, std::size_t i, const BallState& state, double t)
+{
+  Mover& mover = pile.movers[i];
+  if (!mover.w.isZero(0.0)) pile.q[i] = turned(pile.q[i], mover.w, t - static_cast<double>(mover.clock));
+  const Vector3d a = pile.pathAcceleration(i);
+  mover.v = state.v_WB - t * a;
+  mover.w = state.w_WB;
+  pile.p[i] = state.p_WB - t * (state.v_WB - (0.5 * t) * a);
+  mover.clock = static_cast<float>(t);
+  mover.stamp = pile.counter;
+}
+
+BallState stateAt(const Pile& pile, std::size_t i, double t)
+{
+  BallState state;
+  state.p_WB = placeAt(pile, i, t);
+  state.v_WB = velocityAt(pile, i, t);
+  state.w_WB = pile.movers[i].w;
+  return state;
+}
+
+// A record of the impact, as long as there is room: none is taken while the world moves on.
+Contact* newContact(WorldState& world, std::uint32_t ball, const BallState& before, double t)
+{
+  ++world.status.contacts;
+  ++world.status.events;
+  if (world.contacts.size() == world.contacts.capacity()) return nullptr;
+  Contact& contact = world.contacts.emplace_back();
+  world.contact_of.push_back(ball);
+  contact.time = world.pile.start + t;
+  contact.ball = world.balls[ball].id;
+  contact.v_before = before.v_WB;
+  contact.w_before = before.w_WB;
+  return &contact;
+}
+
+void finish(Contact* contact, const BallState& after, const Vector3d& n, const Vector3d& p_WC, const Vector3d& v_other,
+            const Vector3d& impulse)
+{
+  if (contact == nullptr) return;
+  contact->n_W = n;
+  contact->p_WC = p_WC;
+  contact->v_other = v_other;
+  contact->v_after = after.v_WB;
+  contact->w_after = after.w_WB;
+  contact->impulse = impulse;
+}
+
+// --- two balls ---
+
+void hitPair(WorldState& world, const PairLink& link, double t)
+{
+  Pile& pile = world.pile;
+  BallState a = stateAt(pile, link.a, t), b = stateAt(pile, link.b, t);
+  pile.wake(link.a);
+  pile.wake(link.b);
+  const Vector3d n = (a.p_WB - b.p_WB).normalized();
+  const double closing = -n.dot(a.v_WB - b.v_WB);
+  const BallParams &params_a = pile.params(link.a), &params_b = pile.params(link.b);
+  const Surface& law = world.scene.surfaces.at(params_a.material, params_b.material);
+  const Vector3d p_WC = a.p_WB - params_a.radius * n;
+  const Vector3d v_other = b.v_WB + b.w_WB.cross(p_WC - b.p_WB);
+  Contact* contact = newContact(world, pile.ball[link.a], a, t);
+  const Vector3d impulse = part(law, law.restitutionAt(closing) * closing, params_a, a, params_b, b, n);
+  if (contact != nullptr)
+  {
+    contact->with_ball = true;
+    contact->other_ball = world.balls[pile.ball[link.b]].id;
+  }
+  finish(contact, a, n, p_WC, v_other, impulse);
+  fork(pile, link.a, a, t);
+  fork(pile, link.b, b, t);
+}
+
+// Time of the impact of two balls in this step, or kNever. Where both are under the same acceleration, their relative path is
+// a line.
+double pairImpact(const Pile& pile, const PairLink& link)
+{
+  const double from = std::max(pile.movers[link.a].clock, pile.movers[link.b].clock);
+  const double left = pile.h - from;
+  Vector3d d = pile.p[link.a] - pile.p[link.b];
+  Vector3d u = pile.movers[link.a].v - pile.movers[link.b].v;
+  const Vector3d a = pile.pathAcceleration(link.a) - pile.pathAcceleration(link.b);
+  d += from * (u + (0.5 * from) * a);
+  u += (from + 0.5 * left) * a;
+  const double du = d.dot(u);
+  const double uu = u.squaredNorm();
+  if (du >= 0.0 || uu < pile.least_impact * pile.least_impact) return kNever;
+  const double reach = pile.radius(link.a) + pile.radius(link.b);
+  const double distance = d.norm();
+  const double c = (distance - reach) * (distance + reach);
+  if (c <= 0.0) return -du > pile.least_impact * distance ? from : kNever;
+  if (c + 2.0 * du * left > 0.0) return kNever;
+  const double discriminant = du * du - uu * c;
+  if (discriminant < pile.least_impact * pile.least_impact * reach * reach) return kNever;
+  const double t = from + c / (std::sqrt(discriminant) - du);
+  return t <= pile.h ? t : kNever;
+}
+
+// --- a ball and a shape ---
+
+// Marches as firstContact() does, see detect.h: the gap stays above its tangent parabola.
+double stillImpact(const Pile& pile, std::size_t i, const Shape& placed)
+{
+  const Vector3d a = pile.pathAcceleration(i);
+  double t = pile.movers[i].clock;
+  for (int step = 0; step < kMostMarchSteps; ++step)
+  {
+    const Vector3d p = placeAt(pile, i, t);
+    const Gap gap = gapTo(placed, p, velocityAt(pile, i, t), pile.radius(i));
+    if (gap.gap <= touchTolerance(p, pile.radius(i))) return gap.rate < -pile.least_impact ? t : kNever;
+    const double press = gap.n_W.dot(a);
+    const double discriminant = gap.rate * gap.rate - 2.0 * press * gap.gap;
+    if (discriminant < 0.0) return kNever;
+    const double closing = std::sqrt(discriminant) - gap.rate;
+    if (closing <= 0.0) return kNever;
+    t += 2.0 * gap.gap / closing;
+    if (t > pile.h) return kNever;
+  }
+  return t;
+}
+
+double movingImpact(const Pile& pile, std::size_t i, const Shape& shape, const BodyMotion& motion)
+{
+  const double from = pile.start + static_cast<double>(pile.movers[i].clock);
+  const Segment path = flyParabola(stateAt(pile, i, 0.0), pile.start, pile.pathAcceleration(i));
+  const Detection found = firstContact(path, pile.radius(i), shape, motion, from, pile.start + pile.h);
+  if (!found.found()) return kNever;
+  const BodyFrame frame = frameAt(motion, found.time - motion.start);
+  const double t = found.time - pile.start;
+  const Gap gap = gapTo(shape, frame, placeAt(pile, i, t), velocityAt(pile, i, t), pile.radius(i));
+  return gap.rate < -pile.least_impact ? t : kNever;
+}
+
+bool tryBody(WorldState& world, const BodyLink& link)
+{
+  Pile& pile = world.pile;
+  const std::uint32_t i = link.ball;
+  const BodyRecord& body = world.bodies[link.body];
+  const Shape& shape = body.shapes()[link.shape];
+  const double t = body.moving ? movingImpact(pile, i, shape, body.motion) : stillImpact(pile, i, shape);
+  if (!(t <= pile.h)) return false;
+  BallState state = stateAt(pile, i, t);
+  const BodyFrame frame = frameAt(body.frame(), pile.start + t - body.frame().start);
+  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, pile.radius(i));
+  pile.wake(i);
+  const Vector3d p_WC = state.p_WB - pile.radius(i) * gap.n_W;
+  const Vector3d u = body.moving ? frame.pointVelocity(p_WC) : Vector3d::Zero();
+  Contact* contact = newContact(world, pile.ball[i], state, t);
+  const Surface& law = world.scene.surfaces.at(pile.params(i).material, shape.material);
+  const Vector3d impulse = bounce(law, pile.params(i), state, u, gap.n_W);
+  if (contact != nullptr)
+  {
+    contact->body = link.body;
+    contact->shape = link.shape;
+  }
+  finish(contact, state, gap.n_W, p_WC, u, impulse);
+  fork(pile, i, state, t);
+  return true;
+}
+
+// One sweep over all links of which an end has changed since `since`; true if anything was hit.
+bool sweep(WorldState& world, std::uint32_t since)
+{
+  Pile& pile = world.pile;
+  const auto changed = [&](std::uint32_t i) { return pile.movers[i].stamp >= since; };
+  bool any = false;
+  for (const BodyLink& link : pile.moving)
+    if (changed(link.ball) && tryBody(world, link)) any = true;
+  for (const std::uint32_t l : pile.active_bodies)
+    if (changed(pile.bodies[l].ball) && tryBody(world, pile.bodies[l])) any = true;
+  for (const std::uint32_t l : pile.active_pairs)
+  {
+    const PairLink& link = pile.pairs[l];
+    if (!changed(link.a) && !changed(link.b)) continue;
+    count(Law::PairSearch);
+    const double t = pairImpact(pile, link);
+    if (!(t <= pile.h)) continue;
+    hitPair(world, link, t);
+    any = true;
+  }
+  return any;
+}
+}  // namespace
+
+void resolveImpacts(WorldState& world)
+{
+  Pile& pile = world.pile;
+  std::uint32_t since = 0;
+  for (int i = 0; i < kMostSweeps; ++i)
+  {
+    ++pile.counter;
+    const bool any = sweep(world, since);
+    since = pile.counter;
+    updateActive(pile);
+    if (updateLinksAfterImpacts(world)) continue;
+    if (!any) break;
+  }
+}
+}  // namespace ping_pong

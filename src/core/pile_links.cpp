@@ -1,0 +1,321 @@
+// Who may touch whom: balls sorted into the cells of a grid by the boxes that they can sweep for a while.
+#include <algorithm>
+#include <cmath>
+
+#include "count.h"
+#include "pile.h"
+#include "world_state.h"
+
+namespace ping_pong
+{
+namespace
+{
+using Eigen::Vector3f;
+
+constexpr double kMargin = 0.2;       // that links cover around the way of a ball, in mean radii
+constexpr double kStepsAhead = 8.0;   // way that links cover, in steps of length h,
+constexpr double kRadiiAhead = 2.0;   // unless it is longer than this; one step at least
+constexpr float kTouchSlack = 2e-4f;  // contacts are looked at that far before they touch [m]
+constexpr double kLargeBox = 1.5;     // in mean edges
+constexpr double kCellsPerBall = 2.0;
+constexpr double kSpread = 3.0;       // the grid covers so many standard deviations; balls outside are in its outer cells
+
+Vector3d endOfStep(const Pile& pile, std::size_t i)
+{
+  const Vector3d a = pile.pathAcceleration(i);
+  return pile.p[i] + pile.h * (pile.movers[i].v + (0.5 * pile.h) * a);
+}
+
+bool covered(const Pile& pile, std::size_t i)
+{
+  const Vector3f way = (endOfStep(pile, i) - pile.home[i]).cast<float>();
+  const Vector3f& sweep = pile.sweep[i];
+  return ((way - sweep.cwiseMax(0.0f)).array() <= pile.margin).all() &&
+         ((sweep.cwiseMin(0.0f) - way).array() <= pile.margin).all();
+}
+
+// A box around the way from home. After an impact in this step the way begins where it happened.
+void coverWay(Pile& pile, std::size_t i)
+{
+  const Mover& mover = pile.movers[i];
+  const Vector3d a = pile.pathAcceleration(i);
+  const double t = mover.clock;
+  const Vector3d from = pile.p[i] + t * (mover.v + (0.5 * t) * a);
+  pile.anchor[i] += (pile.home[i] - from).cast<float>();
+  pile.home[i] = from;
+  const double speed = mover.v.norm();
+  const double reach = kRadiiAhead * pile.radius(i);
+  const double ahead = std::max(pile.h, std::min(kStepsAhead * pile.h, speed > 0.0 ? reach / speed : kStepsAhead * pile.h));
+  pile.sweep[i] = (ahead * (mover.v + (0.5 * ahead) * a)).cast<float>();
+}
+
+// --- the grid ---
+
+struct Layout
+{
+  Vector3d origin;
+  double cells_per_metre = 1.0;
+  float large = 0.0f;  // boxes with a longer edge are not in the grid [m]
+  std::array<int, 3> count{1, 1, 1};
+
+  int cellAt(double x, int axis) const
+  {
+    return static_cast<int>(std::clamp((x - origin[axis]) * cells_per_metre, 0.0, count[axis] - 1.0));
+  }
+};
+
+float halfEdge(const Pile& pile, std::size_t i, int axis)
+{
+  return 0.5f * std::abs(pile.sweep[i][axis]) + pile.margin + kTouchSlack + static_cast<float>(pile.radius(i));
+}
+
+Layout layOut(const Pile& pile)
+{
+  const double n = static_cast<double>(pile.p.size());
+  Vector3d sum = Vector3d::Zero();
+  double edge = 0.0;
+  for (std::size_t i = 0; i < pile.p.size(); ++i)
+  {
+    sum += pile.home[i];
+    edge += 2.0 * std::max({halfEdge(pile, i, 0), halfEdge(pile, i, 1), halfEdge(pile, i, 2)});
+  }
+  const Vector3d mean = sum / n;
+  Vector3d square = Vector3d::Zero();
+  for (const Vector3d& home : pile.home) square += (home - mean).cwiseAbs2();
+  const Vector3d half = kSpread * (square / n).cwiseSqrt();
+  Layout layout;
+  layout.origin = mean - half;
+  double size = kLargeBox * edge / n;
+  layout.large = static_cast<float>(size);
+  for (;; size *= 1.25)
+  {
+    double cells = 1.0;
+    for (int axis = 0; axis < 3; ++axis) cells *= std::floor(2.0 * half[axis] / size) + 1.0;
+    if (cells <= kCellsPerBall * n + 1.0) break;
+  }
+  layout.cells_per_metre = 1.0 / size;
+  for (int axis = 0; axis < 3; ++axis) layout.count[axis] = static_cast<int>(2.0 * half[axis] / size) + 1;
+  return layout;
+}
+
+PileGrid::Entry entryOf(const Pile& pile, const Layout& layout, std::size_t i)
+{
+  PileGrid::Entry entry;
+  entry.centre = (pile.home[i] - layout.origin).cast<float>() + 0.5f * pile.sweep[i];
+  // Far from the origin of the grid a float is coarse: the box grows by its rounding.
+  for (int axis = 0; axis < 3; ++axis) entry.half[axis] = halfEdge(pile, i, axis) + 1e-6f * std::abs(entry.centre[axis]);
+  entry.slot = static_cast<std::uint32_t>(i);
+  return entry;
+}
+
+constexpr std::uint32_t kNoCell = ~0u;
+
+void sortIntoCells(Pile& pile, const Layout& layout)
+{
+  PileGrid& grid = pile.grid;
+  const std::size_t n = pile.p.size();
+  grid.start.assign(static_cast<std::size_t>(layout.count[0]) * layout.count[1] * layout.count[2] + 1, 0);
+  grid.cell.resize(n);
+  grid.large.clear();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const PileGrid::Entry entry = entryOf(pile, layout, i);
+    grid.cell[i] = kNoCell;
+    if (2.0f * entry.half.maxCoeff() > layout.large)
+    {
+      grid.large.push_back(entry);
+      continue;
+    }
+    const Vector3d centre = pile.home[i] + 0.5 * pile.sweep[i].cast<double>();
+    const int x = layout.cellAt(centre[0], 0), y = layout.cellAt(centre[1], 1), z = layout.cellAt(centre[2], 2);
+    grid.cell[i] = static_cast<std::uint32_t>((z * layout.count[1] + y) * layout.count[0] + x);
+    ++grid.start[grid.cell[i]];
+  }
+  std::uint32_t total = 0;
+  for (std::uint32_t& start : grid.start) start = total += start;  // ends; filled from behind they become starts
+  grid.entries.resize(total);
+  for (std::size_t i = n; i-- > 0;)
+    if (grid.cell[i] != kNoCell) grid.entries[--grid.start[grid.cell[i]]] = entryOf(pile, layout, i);
+}
+
+bool overlap(const PileGrid::Entry& a, const PileGrid::Entry& b)
+{
+  return ((a.centre - b.centre).cwiseAbs().array() <= (a.half + b.half).array()).all();
+}
+
+void link(Pile& pile, const PileGrid::Entry& a, const PileGrid::Entry& b)
+{
+  if (overlap(a, b)) pile.pairs.push_back({std::min(a.slot, b.slot), std::max(a.slot, b.slot), {}, -1.0f});
+}
+
+// Each cell with the half of its neighbours that comes after it; three cells in a row lie side by side.
+void linkCells(Pile& pile, const Layout& layout)
+{
+  const PileGrid& grid = pile.grid;
+  const auto [nx, ny, nz] = layout.count;
+  const auto row = [&](std::uint32_t from, int x0, int x1, int y, int z) {
+    if (y < 0 || y >= ny || z >= nz) return;
+    const std::size_t line = static_cast<std::size_t>(z * ny + y) * static_cast<std::size_t>(nx);
+    const std::uint32_t begin = grid.start[line + static_cast<std::size_t>(std::max(x0, 0))];
+    const std::uint32_t end = grid.start[line + static_cast<std::size_t>(std::min(x1, nx - 1)) + 1];
+    for (std::uint32_t other = begin; other < end; ++other) link(pile, grid.entries[from], grid.entries[other]);
+  };
+  std::size_t cell = 0;
+  for (int z = 0; z < nz; ++z)
+    for (int y = 0; y < ny; ++y)
+      for (int x = 0; x < nx; ++x, ++cell)
+        for (std::uint32_t i = grid.start[cell]; i < grid.start[cell + 1]; ++i)
+        {
+          for (std::uint32_t k = i + 1; k < grid.start[cell + 1]; ++k) link(pile, grid.entries[i], grid.entries[k]);
+          if (x + 1 < nx) row(i, x + 1, x + 1, y, z);
+          row(i, x - 1, x + 1, y + 1, z);
+          for (int dy = -1; dy <= 1; ++dy) row(i, x - 1, x + 1, y + dy, z + 1);
+        }
+}
+
+// Every cell that may hold the centre of a box that overlaps this one.
+template <typename Action>
+void eachCellNear(const Layout& layout, const PileGrid::Entry& entry, const Action& action)
+{
+  std::array<int, 3> low, high;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double centre = layout.origin[axis] + static_cast<double>(entry.centre[axis]);
+    const double reach = static_cast<double>(entry.half[axis] + 0.5f * layout.large);
+    low[axis] = layout.cellAt(centre - reach, axis);
+    high[axis] = layout.cellAt(centre + reach, axis);
+  }
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y)
+      for (int x = low[0]; x <= high[0]; ++x)
+        action(static_cast<std::size_t>((z * layout.count[1] + y) * layout.count[0] + x));
+}
+
+void linkLarge(Pile& pile, const Layout& layout)
+{
+  const std::vector<PileGrid::Entry>& large = pile.grid.large;
+  for (std::size_t i = 0; i < large.size(); ++i)
+  {
+    for (std::size_t k = i + 1; k < large.size(); ++k) link(pile, large[i], large[k]);
+    eachCellNear(layout, large[i], [&](std::size_t cell) {
+      for (std::uint32_t other = pile.grid.start[cell]; other < pile.grid.start[cell + 1]; ++other)
+        link(pile, large[i], pile.grid.entries[other]);
+    });
+  }
+}
+
+void linkBodies(WorldState& world)
+{
+  Pile& pile = world.pile;
+  for (std::uint32_t i = 0; i < pile.p.size(); ++i)
+  {
+    const Vector3d centre = pile.home[i] + 0.5 * pile.sweep[i].cast<double>();
+    const Vector3d half(halfEdge(pile, i, 0), halfEdge(pile, i, 1), halfEdge(pile, i, 2));
+    Box box;
+    box.low = centre - half;
+    box.high = centre + half;
+    for (std::size_t b = 0; b < world.bodies.size(); ++b)
+    {
+      if (world.bodies[b].moving) continue;
+      for (std::size_t s = 0; s < world.bodies[b].boxes.size(); ++s)
+        if (box.overlaps(world.bodies[b].boxes[s]))
+          pile.bodies.push_back({i, static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s), {}});
+    }
+  }
+}
+
+// Links that were there before keep what they know.
+void remember(Pile& pile)
+{
+  constexpr std::uint32_t kEnd = ~0u;
+  pile.first_link.assign(pile.p.size(), kEnd);
+  pile.chain.resize(pile.pairs.size());
+  for (std::uint32_t l = 0; l < pile.pairs.size(); ++l)
+  {
+    pile.chain[l] = pile.first_link[pile.pairs[l].a];
+    pile.first_link[pile.pairs[l].a] = l;
+  }
+  for (const PairLink& old : pile.old_pairs)
+  {
+    if (old.push.normal == 0.0f && old.held < 0.0f) continue;
+    for (std::uint32_t l = pile.first_link[old.a]; l != kEnd; l = pile.chain[l])
+      if (pile.pairs[l].b == old.b) pile.pairs[l] = old;
+  }
+  std::size_t l = 0;  // both lists are in the order of balls
+  for (const BodyLink& old : pile.old_bodies)
+  {
+    while (l < pile.bodies.size() && pile.bodies[l].ball < old.ball) ++l;
+    for (std::size_t m = l; m < pile.bodies.size() && pile.bodies[m].ball == old.ball; ++m)
+      if (pile.bodies[m].body == old.body && pile.bodies[m].shape == old.shape) pile.bodies[m].push = old.push;
+  }
+}
+
+unsigned versionsOf(const WorldState& world)
+{
+  unsigned sum = 0;
+  for (const BodyRecord& body : world.bodies) sum += body.version;
+  return sum;
+}
+
+void build(WorldState& world)
+{
+  count(Law::BroadPhase);
+  Pile& pile = world.pile;
+  double radii = 0.0;
+  for (std::size_t i = 0; i < pile.p.size(); ++i) radii += pile.radius(i);
+  pile.margin = static_cast<float>(kMargin * radii / static_cast<double>(pile.p.size()));
+  for (std::size_t i = 0; i < pile.p.size(); ++i) coverWay(pile, i);
+  pile.old_pairs.swap(pile.pairs);
+  pile.old_bodies.swap(pile.bodies);
+  pile.pairs.clear();
+  pile.bodies.clear();
+  const Layout layout = layOut(pile);
+  sortIntoCells(pile, layout);
+  linkCells(pile, layout);
+  linkLarge(pile, layout);
+  linkBodies(world);
+  remember(pile);
+  pile.links_void = false;
+  pile.active_void = true;
+  pile.body_versions = versionsOf(world);
+}
+}  // namespace
+
+void updateLinks(WorldState& world)
+{
+  Pile& pile = world.pile;
+  bool anew = pile.links_void || pile.body_versions != versionsOf(world);
+  for (std::size_t k = 0; k < pile.awake.size() && !anew; ++k) anew = !covered(pile, pile.awake[k]);
+  if (anew) build(world);
+  updateActive(pile);
+}
+
+bool updateLinksAfterImpacts(WorldState& world)
+{
+  Pile& pile = world.pile;
+  for (const std::uint32_t i : pile.awake)
+    if (pile.movers[i].stamp >= pile.step_mark && !covered(pile, i))
+    {
+      build(world);
+      updateActive(pile);
+      return true;
+    }
+  return false;
+}
+
+void updateActive(Pile& pile)
+{
+  if (!pile.active_void) return;
+  pile.active_void = false;
+  pile.awake.clear();
+  pile.active_pairs.clear();
+  pile.active_bodies.clear();
+  for (std::uint32_t i = 0; i < pile.movers.size(); ++i)
+    if (!pile.movers[i].asleep) pile.awake.push_back(i);
+  if (pile.awake.empty()) return;
+  for (std::uint32_t l = 0; l < pile.pairs.size(); ++l)
+    if (!pile.movers[pile.pairs[l].a].asleep || !pile.movers[pile.pairs[l].b].asleep) pile.active_pairs.push_back(l);
+  for (std::uint32_t l = 0; l < pile.bodies.size(); ++l)
+    if (!pile.movers[pile.bodies[l].ball].asleep) pile.active_bodies.push_back(l);
+}
+}  // namespace ping_pong
