@@ -38,8 +38,10 @@ struct alignas(64) Mover
   bool asleep = false;
   bool loaded : 1;                ///< something carries it: forces act with the contacts, not before them
   bool was_loaded : 1;            ///< at the start of the step
+  bool kept_awake : 1;            ///< by a neighbour that is not still
+  std::uint8_t impacts = 0;       ///< in this step
 
-  Mover() : loaded(false), was_loaded(false) {}
+  Mover() : loaded(false), was_loaded(false), kept_awake(false) {}
 };
 
 /// Two balls that may touch soon, or a ball and a shape, with the impulses that acted between them in the last step.
@@ -69,7 +71,8 @@ struct Touch
   Eigen::Vector3f n;         ///< unit normal, to the (first) ball
   float target;              ///< least normal velocity of the first relative to the second [m/s]
   float normal_mass, slip_mass, friction;
-  std::uint32_t link;
+  std::uint32_t link, a, b;  ///< index of the link, slots of its balls (b only if there are two)
+  Push push;
 };
 
 struct BodyTouch : Touch
@@ -77,6 +80,14 @@ struct BodyTouch : Touch
   Eigen::Vector3f u;         ///< velocity of the touched point of the body [m/s]
   bool moving;               ///< link of a moving body
   std::uint16_t material;
+};
+
+/// An impact in this step, if nothing happens to its balls before.
+struct ImpactAhead
+{
+  double time;                ///< from the start of the step [s]
+  std::uint32_t link;         ///< 3 times the index of the link, plus 0: of two balls, 1: with a still body, 2: with a moving one
+  std::uint32_t made;         ///< on the counter of the pile
 };
 
 /// Cells of a uniform grid with the balls in each.
@@ -95,6 +106,8 @@ struct PileGrid
 
 struct Pile
 {
+  static constexpr std::uint32_t kEndOfChain = ~0u;
+
   // One for each ball ("slot").
   std::vector<std::uint32_t> ball;      ///< its index in WorldState::balls
   std::vector<Mover> movers;
@@ -115,12 +128,15 @@ struct Pile
   std::vector<Touch> touches;
   std::vector<BodyTouch> body_touches;
   std::vector<std::uint32_t> waking;    ///< slots to wake up at the end of the step
-  std::vector<std::uint32_t> chain, first_link;  ///< links of each ball, while they are built anew
+  std::vector<std::uint32_t> first_link;             ///< of each ball: twice its index in `pairs`, and 1 if the ball is b
+  std::vector<std::array<std::uint32_t, 2>> chain;   ///< of each pair: the next link of a, of b
+  std::vector<std::uint32_t> first_body;             ///< of each ball: its first link in `bodies`, if it has one
+  std::vector<ImpactAhead> ahead;                    ///< heap, the next one on top
   std::vector<PairLink> old_pairs;
   std::vector<BodyLink> old_bodies;
   PileGrid grid;
   float margin = 0.0f;                  ///< of the links [m]
-  std::uint32_t counter = 1;            ///< goes up with every sweep over impacts or touches
+  std::uint32_t counter = 1;            ///< goes up with every impact and every sweep over touches
   std::uint32_t steps = 0;
   std::uint32_t step_mark = 0;          ///< the counter at the start of the step
   unsigned body_versions = 0;           ///< sum, when the links were built
@@ -152,6 +168,8 @@ void restatePile(WorldState& world, std::size_t slot);
 void clearPile(Pile& pile);
 /// Takes the memory for so many balls now, not while the world moves on.
 void reservePile(Pile& pile, std::size_t balls, bool constant_forces);
+/// Turns by a rotation vector [rad]: closed form, without trigonometry where it is short.
+void turnBall(Quaterniond& q, const Vector3d& turn);
 /// Puts the state of a ball into its record.
 void storeBall(WorldState& world, std::size_t slot, double time);
 /// Wakes up balls that touch a sphere, or nearly.
@@ -165,11 +183,11 @@ void runPile(WorldState& world, double end);
 
 /// Which balls and shapes may touch in this step: links them anew if a ball may leave the way that the links cover.
 void updateLinks(WorldState& world);
-/// The same for balls that an impact has thrown off their way; true if there were any.
-bool updateLinksAfterImpacts(WorldState& world);
+/// The same for two balls that an impact has thrown off their way; true if the links are new.
+bool updateLinksAfterImpact(WorldState& world, std::uint32_t a, std::uint32_t b);
 /// Lists of what is awake, if anybody fell asleep or woke up.
 void updateActive(Pile& pile);
-/// Impacts in the step: located on the paths, resolved one by one.
+/// Impacts in the step: located on the paths, resolved one by one, the next one first.
 void resolveImpacts(WorldState& world);
 /// Contacts that carry load: velocities such that nothing is pressed into another, with friction.
 void solveContacts(WorldState& world);

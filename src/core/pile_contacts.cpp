@@ -14,8 +14,8 @@ namespace
 {
 using Eigen::Vector3f;
 
-constexpr int kMostIterations = 40;
-constexpr double kGoodEnough = 0.02;    // change of a velocity that is not passed on, in least impacts
+const int kMostIterations = getenv("MI")?atoi(getenv("MI")):10;
+const double kGoodEnough = getenv("TOL")?atof(getenv("TOL")):0.1;    // change of a velocity that is not passed on, in least impacts
 constexpr double kSlop = 2e-6;          // overlap that stays [m]
 constexpr double kPushOut = 0.2;        // part of the rest that is taken out in a step
 constexpr double kForgets = 5e-4;       // deeper than this the last impulses are no guide [m]
@@ -27,19 +27,6 @@ double reachOf(const Pile& pile) { return 4.0 * pile.least_impact * pile.h + 1e-
 Vector3d kick(const Pile& pile, std::size_t i)
 {
   return (pile.movers[i].was_loaded ? pile.h : 0.5 * pile.h) * pile.flightAcceleration(i);
-}
-
-void applyNormal(Mover& a, Mover& b, const Vector3d& n, double impulse)
-{
-  a.v += (static_cast<double>(a.inverse_mass) * impulse) * n;
-  b.v -= (static_cast<double>(b.inverse_mass) * impulse) * n;
-}
-
-void applySlip(const Pile& pile, Mover& ball, const Vector3d& n, const Vector3d& impulse, double sign)
-{
-  const double per_mass = ball.inverse_mass;
-  ball.v += (sign * per_mass) * impulse;
-  ball.w -= (per_mass * pile.kinds[ball.kind].spin_per_impulse) * n.cross(impulse);
 }
 
 // --- gathering ---
@@ -107,6 +94,9 @@ void gatherPair(WorldState& world, std::uint32_t l)
   touch.slip_mass = static_cast<float>(1.0 / give);
   touch.friction = static_cast<float>(world.scene.surfaces.at(pile.params(link.a).material, pile.params(link.b).material).friction);
   touch.link = l;
+  touch.a = link.a;
+  touch.b = link.b;
+  touch.push = link.push;
 }
 
 void gatherBody(WorldState& world, std::uint32_t l, BodyLink& link)
@@ -144,6 +134,8 @@ void gatherBody(WorldState& world, std::uint32_t l, BodyLink& link)
   touch.moving = body.moving;
   touch.material = shape.material;
   touch.link = l;
+  touch.a = touch.b = i;
+  touch.push = link.push;
 }
 
 void gather(WorldState& world)
@@ -156,126 +148,124 @@ void gather(WorldState& world)
   for (const std::uint32_t l : pile.active_pairs) gatherPair(world, l);
 }
 
-Push& pushOf(Pile& pile, const BodyTouch& touch)
-{
-  return touch.moving ? pile.moving[touch.link].push : pile.bodies[touch.link].push;
-}
-
-std::uint32_t ballOf(const Pile& pile, const BodyTouch& touch)
-{
-  return touch.moving ? pile.moving[touch.link].ball : pile.bodies[touch.link].ball;
-}
-
 // --- solving ---
 
-// What friction adds, and keeps within the cone.
-Vector3d slipImpulse(const Touch& touch, Push& push, const Vector3d& slip)
+// What the normal impulse gains or loses; it never pulls.
+float normalImpulse(Touch& touch, double normal_velocity)
 {
-  Vector3f wanted = push.tangent - touch.slip_mass * slip.cast<float>();
-  const float most = touch.friction * push.normal;
-  const float needed = wanted.norm();
-  if (needed > most) wanted *= most / needed;
-  const Vector3f more = wanted - push.tangent;
-  push.tangent = wanted;
-  return more.cast<double>();
+  const float before = touch.push.normal;
+  touch.push.normal =
+      std::max(0.0f, before + touch.normal_mass * (touch.target - static_cast<float>(normal_velocity)));
+  return touch.push.normal - before;
 }
 
-// What the normal impulse gains or loses; it never pulls.
-double normalImpulse(const Touch& touch, Push& push, double normal_velocity)
+// What friction adds, and keeps within the cone.
+Vector3f slipImpulse(Touch& touch, const Vector3f& slip)
 {
-  const float before = push.normal;
-  push.normal = std::max(0.0f, before + touch.normal_mass * (touch.target - static_cast<float>(normal_velocity)));
-  return static_cast<double>(push.normal - before);
+  const Vector3f before = touch.push.tangent;
+  touch.push.tangent -= touch.slip_mass * slip;
+  const float most = touch.friction * touch.push.normal;
+  const float needed = touch.push.tangent.squaredNorm();
+  if (needed > most * most) touch.push.tangent *= most / std::sqrt(needed);
+  return touch.push.tangent - before;
+}
+
+bool slips(const Touch& touch)
+{
+  return touch.friction > 0.0f && (touch.push.normal > 0.0f || !touch.push.tangent.isZero(0.0f));
+}
+
+// Impulse along n and across it on one ball; sign 1 or -1.
+void apply(const Pile& pile, Mover& ball, const Touch& touch, float normal, const Vector3f& across, float sign)
+{
+  const float per_mass = ball.inverse_mass;
+  ball.v += (sign * per_mass * (normal * touch.n + across)).cast<double>();
+  const float spin = per_mass * static_cast<float>(pile.kinds[ball.kind].spin_per_impulse);
+  ball.w -= (spin * touch.n.cross(across)).cast<double>();
+}
+
+void applyNormal(Mover& ball, const Touch& touch, float impulse)
+{
+  ball.v += (ball.inverse_mass * impulse * touch.n).cast<double>();
 }
 
 void warmStart(Pile& pile)
 {
-  for (const BodyTouch& touch : pile.body_touches)
-  {
-    Push& push = pushOf(pile, touch);
-    if (push.normal == 0.0f) continue;
-    Mover& ball = pile.movers[ballOf(pile, touch)];
-    const Vector3d n = touch.n.cast<double>();
-    push.tangent -= touch.n.dot(push.tangent) * touch.n;
-    ball.v += static_cast<double>(ball.inverse_mass * push.normal) * n;
-    applySlip(pile, ball, n, push.tangent.cast<double>(), 1.0);
-  }
-  for (const Touch& touch : pile.touches)
-  {
-    PairLink& link = pile.pairs[touch.link];
-    if (link.push.normal == 0.0f) continue;
-    const Vector3d n = touch.n.cast<double>();
-    link.push.tangent -= touch.n.dot(link.push.tangent) * touch.n;
-    applyNormal(pile.movers[link.a], pile.movers[link.b], n, link.push.normal);
-    const Vector3d slip = link.push.tangent.cast<double>();
-    applySlip(pile, pile.movers[link.a], n, slip, 1.0);
-    applySlip(pile, pile.movers[link.b], n, slip, -1.0);
-  }
+  const auto start = [&pile](Touch& touch, bool pair) {
+    if (touch.push.normal == 0.0f) return;
+    touch.push.tangent -= touch.n.dot(touch.push.tangent) * touch.n;
+    apply(pile, pile.movers[touch.a], touch, touch.push.normal, touch.push.tangent, 1.0f);
+    if (pair) apply(pile, pile.movers[touch.b], touch, touch.push.normal, touch.push.tangent, -1.0f);
+  };
+  for (BodyTouch& touch : pile.body_touches) start(touch, false);
+  for (Touch& touch : pile.touches) start(touch, true);
 }
 
-void solveBody(Pile& pile, const BodyTouch& touch, double small)
+// Both return whether a velocity has changed by more than `small`.
+bool solveBody(Pile& pile, BodyTouch& touch, float small)
 {
-  Push& push = pushOf(pile, touch);
-  Mover& ball = pile.movers[ballOf(pile, touch)];
-  const Vector3d n = touch.n.cast<double>();
-  const double impulse = normalImpulse(touch, push, n.dot(ball.v));
-  const double per_mass = ball.inverse_mass;
-  ball.v += (per_mass * impulse) * n;
-  double change = std::abs(impulse);
-  if (touch.friction > 0.0f && (push.normal > 0.0f || !push.tangent.isZero(0.0f)))
+  Mover& ball = pile.movers[touch.a];
+  Vector3f u = ball.v.cast<float>();
+  const float impulse = normalImpulse(touch, touch.n.dot(u));
+  float change = std::abs(impulse);
+  if (slips(touch))
   {
-    const BallKind& kind = pile.kinds[ball.kind];
-    const Vector3d u = ball.v - touch.u.cast<double>();
-    const Vector3d slip = u - n.dot(u) * n - kind.params.radius * ball.w.cross(n);
-    const Vector3d sideways = slipImpulse(touch, push, slip);
-    applySlip(pile, ball, n, sideways, 1.0);
-    change += sideways.norm();
+    const float radius = static_cast<float>(pile.radius(touch.a));
+    u -= touch.u;
+    const Vector3f slip = u - touch.n.dot(u) * touch.n - radius * ball.w.cast<float>().cross(touch.n);
+    const Vector3f across = slipImpulse(touch, slip);
+    apply(pile, ball, touch, impulse, across, 1.0f);
+    change += across.norm();
   }
-  if (change * per_mass > small) ball.stamp = pile.counter;
+  else
+    applyNormal(ball, touch, impulse);
+  return change * ball.inverse_mass > small;
 }
 
-void solvePair(Pile& pile, const Touch& touch, double small)
+bool solvePair(Pile& pile, Touch& touch, float small)
 {
-  PairLink& link = pile.pairs[touch.link];
-  Mover &a = pile.movers[link.a], &b = pile.movers[link.b];
-  const Vector3d n = touch.n.cast<double>();
-  const double impulse = normalImpulse(touch, link.push, n.dot(a.v - b.v));
-  applyNormal(a, b, n, impulse);
-  double change = std::abs(impulse);
-  if (touch.friction > 0.0f && (link.push.normal > 0.0f || !link.push.tangent.isZero(0.0f)))
+  Mover &a = pile.movers[touch.a], &b = pile.movers[touch.b];
+  const Vector3f u = (a.v - b.v).cast<float>();
+  const float along = touch.n.dot(u);
+  const float impulse = normalImpulse(touch, along);
+  float change = std::abs(impulse);
+  if (slips(touch))
   {
-    const Vector3d u = a.v - b.v;
-    const Vector3d spin = pile.radius(link.a) * a.w + pile.radius(link.b) * b.w;
-    const Vector3d sideways = slipImpulse(touch, link.push, u - n.dot(u) * n - spin.cross(n));
-    applySlip(pile, a, n, sideways, 1.0);
-    applySlip(pile, b, n, sideways, -1.0);
-    change += sideways.norm();
+    const float radius_a = static_cast<float>(pile.radius(touch.a)), radius_b = static_cast<float>(pile.radius(touch.b));
+    const Vector3f spin = radius_a * a.w.cast<float>() + radius_b * b.w.cast<float>();
+    const Vector3f across = slipImpulse(touch, u - along * touch.n - spin.cross(touch.n));
+    apply(pile, a, touch, impulse, across, 1.0f);
+    apply(pile, b, touch, impulse, across, -1.0f);
+    change += across.norm();
   }
-  if (change * static_cast<double>(std::max(a.inverse_mass, b.inverse_mass)) > small) a.stamp = b.stamp = pile.counter;
+  else
+  {
+    applyNormal(a, touch, impulse);
+    applyNormal(b, touch, -impulse);
+  }
+  return change * std::max(a.inverse_mass, b.inverse_mass) > small;
 }
 
 // Every touch once; then those of balls that changed, forwards and backwards in turn, until nothing changes any more.
 void iterate(Pile& pile)
 {
-  const double small = kGoodEnough * pile.least_impact;
+  const float small = static_cast<float>(kGoodEnough * pile.least_impact);
   std::uint32_t since = 0;
   for (int iteration = 0; iteration < kMostIterations; ++iteration)
   {
     const std::uint32_t now = ++pile.counter;
     bool any = false;
     const auto changed = [&](std::uint32_t i) { return pile.movers[i].stamp >= since; };
-    const auto pair = [&](const Touch& touch) {
-      const PairLink& link = pile.pairs[touch.link];
-      if (!changed(link.a) && !changed(link.b)) return;
-      solvePair(pile, touch, small);
-      any |= pile.movers[link.a].stamp == now;
+    const auto pair = [&](Touch& touch) {
+      if ((!changed(touch.a) && !changed(touch.b)) || !solvePair(pile, touch, small)) return;
+      pile.movers[touch.a].stamp = pile.movers[touch.b].stamp = now;
+      any = true;
     };
-    for (const BodyTouch& touch : pile.body_touches)
+    for (BodyTouch& touch : pile.body_touches)
     {
-      const std::uint32_t i = ballOf(pile, touch);
-      if (!changed(i)) continue;
-      solveBody(pile, touch, small);
-      any |= pile.movers[i].stamp == now;
+      if (!changed(touch.a) || !solveBody(pile, touch, small)) continue;
+      pile.movers[touch.a].stamp = now;
+      any = true;
     }
     if (iteration % 2 == 0)
       std::for_each(pile.touches.begin(), pile.touches.end(), pair);
@@ -290,11 +280,11 @@ void iterate(Pile& pile)
 void resist(WorldState& world, const BodyTouch& touch)
 {
   Pile& pile = world.pile;
-  Mover& ball = pile.movers[ballOf(pile, touch)];
+  Mover& ball = pile.movers[touch.a];
   const BallKind& kind = pile.kinds[ball.kind];
   const Surface& law = world.scene.surfaces.at(kind.params.material, touch.material);
   if (law.rolling_resistance == 0.0 && law.spin_friction == 0.0) return;
-  const double load = static_cast<double>(pushOf(pile, touch).normal * ball.inverse_mass);  // [m/s]
+  const double load = static_cast<double>(touch.push.normal * ball.inverse_mass);  // [m/s]
   const Vector3d n = touch.n.cast<double>();
   const Vector3d u = ball.v - touch.u.cast<double>();
   const Vector3d along = u - n.dot(u) * n;
@@ -309,16 +299,22 @@ void resist(WorldState& world, const BodyTouch& touch)
   ball.w -= std::clamp(spin, -most, most) * n;
 }
 
-void markLoaded(Pile& pile)
+// For the next step, and to tell whom something carries.
+void keepPushes(Pile& pile)
 {
   for (const std::uint32_t i : pile.awake) pile.movers[i].loaded = false;
   for (const BodyTouch& touch : pile.body_touches)
-    if (pushOf(pile, touch).normal > 0.0f) pile.movers[ballOf(pile, touch)].loaded = true;
+  {
+    if (!touch.moving) pile.bodies[touch.link].push = touch.push;
+    if (touch.push.normal > 0.0f) pile.movers[touch.a].loaded = true;
+  }
   for (const Touch& touch : pile.touches)
   {
-    const PairLink& link = pile.pairs[touch.link];
-    if (link.push.normal == 0.0f) continue;
-    for (const std::uint32_t i : {link.a, link.b})
+    PairLink& link = pile.pairs[touch.link];
+    link.push = touch.push;
+    watch(pile, link);
+    if (touch.push.normal == 0.0f) continue;
+    for (const std::uint32_t i : {touch.a, touch.b})
       if (!pile.movers[i].asleep) pile.movers[i].loaded = true;
   }
 }
@@ -338,7 +334,6 @@ void solveContacts(WorldState& world)
   warmStart(pile);
   iterate(pile);
   for (const BodyTouch& touch : pile.body_touches) resist(world, touch);
-  for (const Touch& touch : pile.touches) watch(pile, pile.pairs[touch.link]);
-  markLoaded(pile);
+  keepPushes(pile);
 }
 }  // namespace ping_pong

@@ -1,5 +1,5 @@
-// Impacts within a step, located on parabolas. Each one depends on the velocities just before it alone, and takes energy
-// away: so does any sequence of them.
+// Impacts within a step, located on parabolas and handled in the order of time. Each one takes energy away, by the
+// restitution at its own speed: so does any sequence of them.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMostSweeps = 24;      // over all links in one step; what is left is up to the contacts
+constexpr int kMostImpacts = 16;     // of one ball in one step; what is left is up to the contacts
 constexpr int kMostMarchSteps = 20;  // of a search for the time of an impact
 
 Vector3d placeAt(const Pile& pile, std::size_t i, double t)
@@ -30,13 +30,14 @@ Vector3d velocityAt(const Pile& pile, std::size_t i, double t)
 void fork(Pile& pile, std::size_t i, const BallState& state, double t)
 {
   Mover& mover = pile.movers[i];
-  if (!mover.w.isZero(0.0)) pile.q[i] = turned(pile.q[i], mover.w, t - static_cast<double>(mover.clock));
+  if (!mover.w.isZero(0.0)) turnBall(pile.q[i], (t - static_cast<double>(mover.clock)) * mover.w);
   const Vector3d a = pile.pathAcceleration(i);
   mover.v = state.v_WB - t * a;
   mover.w = state.w_WB;
   pile.p[i] = state.p_WB - t * (state.v_WB - (0.5 * t) * a);
   mover.clock = static_cast<float>(t);
   mover.stamp = pile.counter;
+  ++mover.impacts;
 }
 
 BallState stateAt(const Pile& pile, std::size_t i, double t)
@@ -102,26 +103,32 @@ void hitPair(WorldState& world, const PairLink& link, double t)
 }
 
 // Time of the impact of two balls in this step, or kNever. Where both are under the same acceleration, their relative path is
-// a line.
+// a line. Most pairs part, or are too far from each other: they are told by products alone.
 double pairImpact(const Pile& pile, const PairLink& link)
 {
-  const double from = std::max(pile.movers[link.a].clock, pile.movers[link.b].clock);
+  const Mover &a = pile.movers[link.a], &b = pile.movers[link.b];
+  const double from = std::max(a.clock, b.clock);
   const double left = pile.h - from;
   Vector3d d = pile.p[link.a] - pile.p[link.b];
-  Vector3d u = pile.movers[link.a].v - pile.movers[link.b].v;
-  const Vector3d a = pile.pathAcceleration(link.a) - pile.pathAcceleration(link.b);
-  d += from * (u + (0.5 * from) * a);
-  u += (from + 0.5 * left) * a;
+  Vector3d u = a.v - b.v;
+  if (!pile.a.empty() || a.kind != b.kind || a.loaded != b.loaded)
+  {
+    const Vector3d pull = pile.pathAcceleration(link.a) - pile.pathAcceleration(link.b);
+    d += (0.5 * from * from) * pull;
+    u += (from + 0.5 * left) * pull;
+    d += from * (u - (from + 0.5 * left) * pull);
+  }
+  else if (from > 0.0)
+    d += from * u;
   const double du = d.dot(u);
-  const double uu = u.squaredNorm();
-  if (du >= 0.0 || uu < pile.least_impact * pile.least_impact) return kNever;
+  if (du >= 0.0) return kNever;
   const double reach = pile.radius(link.a) + pile.radius(link.b);
-  const double distance = d.norm();
-  const double c = (distance - reach) * (distance + reach);
-  if (c <= 0.0) return -du > pile.least_impact * distance ? from : kNever;
+  const double c = d.squaredNorm() - reach * reach;
   if (c + 2.0 * du * left > 0.0) return kNever;
-  const double discriminant = du * du - uu * c;
-  if (discriminant < pile.least_impact * pile.least_impact * reach * reach) return kNever;
+  const double least = pile.least_impact * pile.least_impact * reach * reach;
+  if (c <= 0.0) return du * du > least ? from : kNever;
+  const double discriminant = du * du - u.squaredNorm() * c;
+  if (discriminant < least) return kNever;
   const double t = from + c / (std::sqrt(discriminant) - du);
   return t <= pile.h ? t : kNever;
 }
@@ -161,14 +168,22 @@ double movingImpact(const Pile& pile, std::size_t i, const Shape& shape, const B
   return gap.rate < -pile.least_impact ? t : kNever;
 }
 
-bool tryBody(WorldState& world, const BodyLink& link)
+double bodyImpact(const WorldState& world, const BodyLink& link)
+{
+  const BodyRecord& body = world.bodies[link.body];
+  const Shape& shape = body.shapes()[link.shape];
+  count(meeting(shape.kind));
+  if (body.moving) count(Law::MeetMoving);
+  return body.moving ? movingImpact(world.pile, link.ball, shape, body.motion)
+                     : stillImpact(world.pile, link.ball, shape);
+}
+
+void hitBody(WorldState& world, const BodyLink& link, double t)
 {
   Pile& pile = world.pile;
   const std::uint32_t i = link.ball;
   const BodyRecord& body = world.bodies[link.body];
   const Shape& shape = body.shapes()[link.shape];
-  const double t = body.moving ? movingImpact(pile, i, shape, body.motion) : stillImpact(pile, i, shape);
-  if (!(t <= pile.h)) return false;
   BallState state = stateAt(pile, i, t);
   const BodyFrame frame = frameAt(body.frame(), pile.start + t - body.frame().start);
   const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, pile.radius(i));
@@ -185,45 +200,94 @@ bool tryBody(WorldState& world, const BodyLink& link)
   }
   finish(contact, state, gap.n_W, p_WC, u, impulse);
   fork(pile, i, state, t);
-  return true;
 }
 
-// One sweep over all links of which an end has changed since `since`; true if anything was hit.
-bool sweep(WorldState& world, std::uint32_t since)
+// --- in the order of time ---
+
+bool later(const ImpactAhead& p, const ImpactAhead& q)
+{
+  return p.time != q.time ? p.time > q.time : p.link > q.link;
+}
+
+void push(Pile& pile, double t, std::uint32_t link)
+{
+  if (!(t <= pile.h)) return;
+  pile.ahead.push_back({t, link, pile.counter});
+  std::push_heap(pile.ahead.begin(), pile.ahead.end(), later);
+}
+
+bool tired(const Pile& pile, std::uint32_t i) { return pile.movers[i].impacts >= kMostImpacts; }
+
+void lookAtPair(Pile& pile, std::uint32_t l)
+{
+  const PairLink& link = pile.pairs[l];
+  if (tired(pile, link.a) || tired(pile, link.b)) return;
+  count(Law::PairSearch);
+  push(pile, pairImpact(pile, link), 3 * l);
+}
+
+void lookAtBody(WorldState& world, const BodyLink& link, std::uint32_t code)
+{
+  if (!tired(world.pile, link.ball)) push(world.pile, bodyImpact(world, link), code);
+}
+
+void lookAtAll(WorldState& world)
 {
   Pile& pile = world.pile;
-  const auto changed = [&](std::uint32_t i) { return pile.movers[i].stamp >= since; };
-  bool any = false;
-  for (const BodyLink& link : pile.moving)
-    if (changed(link.ball) && tryBody(world, link)) any = true;
-  for (const std::uint32_t l : pile.active_bodies)
-    if (changed(pile.bodies[l].ball) && tryBody(world, pile.bodies[l])) any = true;
-  for (const std::uint32_t l : pile.active_pairs)
-  {
-    const PairLink& link = pile.pairs[l];
-    if (!changed(link.a) && !changed(link.b)) continue;
-    count(Law::PairSearch);
-    const double t = pairImpact(pile, link);
-    if (!(t <= pile.h)) continue;
-    hitPair(world, link, t);
-    any = true;
-  }
-  return any;
+  pile.ahead.clear();
+  for (std::uint32_t l = 0; l < pile.moving.size(); ++l) lookAtBody(world, pile.moving[l], 3 * l + 2);
+  for (const std::uint32_t l : pile.active_bodies) lookAtBody(world, pile.bodies[l], 3 * l + 1);
+  for (const std::uint32_t l : pile.active_pairs) lookAtPair(pile, l);
+}
+
+// The ball has another path.
+void lookAgain(WorldState& world, std::uint32_t i)
+{
+  Pile& pile = world.pile;
+  for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
+    if (pile.moving[l].ball == i) lookAtBody(world, pile.moving[l], 3 * l + 2);
+  for (std::uint32_t l = pile.first_body[i]; l < pile.bodies.size() && pile.bodies[l].ball == i; ++l)
+    lookAtBody(world, pile.bodies[l], 3 * l + 1);
+  for (std::uint32_t l = pile.first_link[i]; l != Pile::kEndOfChain; l = pile.chain[l / 2][l % 2])
+    lookAtPair(pile, l / 2);
+}
+
+// Handles one impact; balls that it has thrown off their path are put into a and b, twice the same if it is but one.
+bool handle(WorldState& world, const ImpactAhead& impact, std::uint32_t& a, std::uint32_t& b)
+{
+  Pile& pile = world.pile;
+  const std::uint32_t l = impact.link / 3, list = impact.link % 3;
+  a = list == 0 ? pile.pairs[l].a : list == 1 ? pile.bodies[l].ball : pile.moving[l].ball;
+  b = list == 0 ? pile.pairs[l].b : a;
+  if (pile.movers[a].stamp > impact.made || pile.movers[b].stamp > impact.made) return false;
+  ++pile.counter;
+  if (list == 0)
+    hitPair(world, pile.pairs[l], impact.time);
+  else
+    hitBody(world, list == 1 ? pile.bodies[l] : pile.moving[l], impact.time);
+  return true;
 }
 }  // namespace
 
 void resolveImpacts(WorldState& world)
 {
   Pile& pile = world.pile;
-  std::uint32_t since = 0;
-  for (int i = 0; i < kMostSweeps; ++i)
+  lookAtAll(world);
+  while (!pile.ahead.empty())
   {
-    ++pile.counter;
-    const bool any = sweep(world, since);
-    since = pile.counter;
-    updateActive(pile);
-    if (updateLinksAfterImpacts(world)) continue;
-    if (!any) break;
+    const ImpactAhead next = pile.ahead.front();
+    std::pop_heap(pile.ahead.begin(), pile.ahead.end(), later);
+    pile.ahead.pop_back();
+    std::uint32_t a, b;
+    if (!handle(world, next, a, b)) continue;
+    if (updateLinksAfterImpact(world, a, b))
+    {
+      lookAtAll(world);
+      continue;
+    }
+    lookAgain(world, a);
+    if (b != a) lookAgain(world, b);
   }
+  updateActive(pile);
 }
 }  // namespace ping_pong

@@ -207,8 +207,10 @@ void linkLarge(Pile& pile, const Layout& layout)
 void linkBodies(WorldState& world)
 {
   Pile& pile = world.pile;
+  pile.first_body.resize(pile.p.size());
   for (std::uint32_t i = 0; i < pile.p.size(); ++i)
   {
+    pile.first_body[i] = static_cast<std::uint32_t>(pile.bodies.size());
     const Vector3d centre = pile.home[i] + 0.5 * pile.sweep[i].cast<double>();
     const Vector3d half(halfEdge(pile, i, 0), halfEdge(pile, i, 1), halfEdge(pile, i, 2));
     Box box;
@@ -224,22 +226,27 @@ void linkBodies(WorldState& world)
   }
 }
 
+void chainUp(Pile& pile)
+{
+  pile.first_link.assign(pile.p.size(), Pile::kEndOfChain);
+  pile.chain.resize(pile.pairs.size());
+  for (std::uint32_t l = static_cast<std::uint32_t>(pile.pairs.size()); l-- > 0;)
+  {
+    const std::uint32_t a = pile.pairs[l].a, b = pile.pairs[l].b;
+    pile.chain[l] = {pile.first_link[a], pile.first_link[b]};
+    pile.first_link[a] = 2 * l;
+    pile.first_link[b] = 2 * l + 1;
+  }
+}
+
 // Links that were there before keep what they know.
 void remember(Pile& pile)
 {
-  constexpr std::uint32_t kEnd = ~0u;
-  pile.first_link.assign(pile.p.size(), kEnd);
-  pile.chain.resize(pile.pairs.size());
-  for (std::uint32_t l = 0; l < pile.pairs.size(); ++l)
-  {
-    pile.chain[l] = pile.first_link[pile.pairs[l].a];
-    pile.first_link[pile.pairs[l].a] = l;
-  }
   for (const PairLink& old : pile.old_pairs)
   {
     if (old.push.normal == 0.0f && old.held < 0.0f) continue;
-    for (std::uint32_t l = pile.first_link[old.a]; l != kEnd; l = pile.chain[l])
-      if (pile.pairs[l].b == old.b) pile.pairs[l] = old;
+    for (std::uint32_t l = pile.first_link[old.a]; l != Pile::kEndOfChain; l = pile.chain[l / 2][l % 2])
+      if (l % 2 == 0 && pile.pairs[l / 2].b == old.b) pile.pairs[l / 2] = old;
   }
   std::size_t l = 0;  // both lists are in the order of balls
   for (const BodyLink& old : pile.old_bodies)
@@ -274,6 +281,7 @@ void build(WorldState& world)
   linkCells(pile, layout);
   linkLarge(pile, layout);
   linkBodies(world);
+  chainUp(pile);
   remember(pile);
   pile.links_void = false;
   pile.active_void = true;
@@ -290,17 +298,12 @@ void updateLinks(WorldState& world)
   updateActive(pile);
 }
 
-bool updateLinksAfterImpacts(WorldState& world)
+bool updateLinksAfterImpact(WorldState& world, std::uint32_t a, std::uint32_t b)
 {
-  Pile& pile = world.pile;
-  for (const std::uint32_t i : pile.awake)
-    if (pile.movers[i].stamp >= pile.step_mark && !covered(pile, i))
-    {
-      build(world);
-      updateActive(pile);
-      return true;
-    }
-  return false;
+  if (covered(world.pile, a) && covered(world.pile, b)) return false;
+  build(world);
+  updateActive(world.pile);
+  return true;
 }
 
 void updateActive(Pile& pile)

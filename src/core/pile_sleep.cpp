@@ -15,7 +15,7 @@ constexpr double kNear = 1e-3;          // [m]
 bool still(const Pile& pile, std::size_t i)
 {
   const Mover& mover = pile.movers[i];
-  return pile.still[i] > kStillFor && mover.v.squaredNorm() < kStillSpeed * kStillSpeed &&
+  return pile.still[i] > kStillFor && !mover.kept_awake && mover.v.squaredNorm() < kStillSpeed * kStillSpeed &&
          mover.w.norm() * pile.radius(i) < kStillSpeed;
 }
 
@@ -37,14 +37,13 @@ void sleep(WorldState& world, std::size_t i)
 // A neighbour that is not still yet keeps a ball awake.
 void keepAwake(Pile& pile)
 {
+  for (const std::uint32_t i : pile.awake) pile.movers[i].kept_awake = false;
   for (const Touch& touch : pile.touches)
   {
-    const PairLink& link = pile.pairs[touch.link];
-    if (pile.movers[link.a].asleep || pile.movers[link.b].asleep) continue;
-    const bool a = pile.still[link.a] > kStillFor, b = pile.still[link.b] > kStillFor;
+    if (pile.movers[touch.a].asleep || pile.movers[touch.b].asleep) continue;
+    const bool a = pile.still[touch.a] > kStillFor, b = pile.still[touch.b] > kStillFor;
     if (a == b) continue;
-    const std::uint32_t restless = a ? link.a : link.b;
-    pile.still[restless] = 0.9f * kStillFor;  // asks again soon
+    pile.movers[a ? touch.a : touch.b].kept_awake = true;
   }
 }
 }  // namespace

@@ -93,9 +93,10 @@ void turn(Pile& pile, std::size_t i)
   Mover& mover = pile.movers[i];
   const double left = pile.h - static_cast<double>(mover.clock);
   mover.clock = 0.0f;
+  mover.impacts = 0;
   if (mover.w.isZero(0.0)) return;
   const double decay = pile.kinds[mover.kind].model.spinDecay();
-  pile.q[i] = turned(pile.q[i], turnIn(mover.w, decay, left), 1.0);
+  turnBall(pile.q[i], decay > 0.0 ? turnIn(mover.w, decay, left) : Vector3d(left * mover.w));
   if (decay > 0.0) mover.w *= std::exp(-decay * pile.h);
 }
 
@@ -162,6 +163,22 @@ void step(WorldState& world, double start, double h)
 }
 }  // namespace
 
+void turnBall(Quaterniond& q, const Vector3d& turn)
+{
+  const double x = 0.25 * turn.squaredNorm();  // of half the angle, squared
+  if (x > 1e-2)
+  {
+    q = turned(q, turn, 1.0);
+    return;
+  }
+  // Taylor series: the next terms are below 1e-17.
+  const double sine = 1.0 - x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0 * (1.0 - x / 110.0))));
+  const double cosine = 1.0 - x / 2.0 * (1.0 - x / 12.0 * (1.0 - x / 30.0 * (1.0 - x / 56.0 * (1.0 - x / 90.0))));
+  const Vector3d axis = (0.5 * sine) * turn;
+  q = Quaterniond(cosine, axis.x(), axis.y(), axis.z()) * q;
+  q.coeffs() *= 1.5 - 0.5 * q.squaredNorm();  // back to length 1
+}
+
 void clearPile(Pile& pile)
 {
   pile.ball.clear();
@@ -200,11 +217,14 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   for (std::vector<PairLink>* links : {&pile.pairs, &pile.old_pairs}) links->reserve(kLinks * balls);
   for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving}) links->reserve(kLinks * balls);
   pile.awake.reserve(balls);
-  for (std::vector<std::uint32_t>* list : {&pile.active_pairs, &pile.active_bodies, &pile.chain, &pile.waking})
+  for (std::vector<std::uint32_t>* list : {&pile.active_pairs, &pile.active_bodies, &pile.waking})
     list->reserve(kLinks * balls);
   pile.touches.reserve(kLinks * balls);
   pile.body_touches.reserve(kLinks * balls);
   pile.first_link.reserve(balls);
+  pile.chain.reserve(kLinks * balls);
+  pile.first_body.reserve(balls);
+  pile.ahead.reserve(kLinks * balls);
   pile.grid.start.reserve(2 * balls + 3);
   pile.grid.cell.reserve(balls);
   pile.grid.entries.reserve(balls);
