@@ -14,8 +14,8 @@ namespace
 {
 using Eigen::Vector3f;
 
-const int kMostIterations = getenv("MI")?atoi(getenv("MI")):10;
-const double kGoodEnough = getenv("TOL")?atof(getenv("TOL")):0.1;    // change of a velocity that is not passed on, in least impacts
+constexpr int kMostIterations = 8;
+constexpr double kGoodEnough = 0.1;    // change of a velocity that is not passed on, in least impacts
 constexpr double kSlop = 2e-6;          // overlap that stays [m]
 constexpr double kPushOut = 0.2;        // part of the rest that is taken out in a step
 constexpr double kForgets = 5e-4;       // deeper than this the last impulses are no guide [m]

@@ -11,7 +11,8 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kNoImpact = 1e-9;  // slower is no impact, without any force [m/s]
+constexpr double kNoImpact = 1e-9;     // slower is no impact: without any force [m/s],
+constexpr double kImpactInSteps = 2.0; // and else what gravity adds in so many steps
 constexpr float kPlace = 1e-4f;     // as in pile_sleep.cpp [m]
 constexpr std::size_t kLinks = 8;   // room for so many links a ball from the start
 
@@ -150,7 +151,7 @@ void step(WorldState& world, double start, double h)
   Pile& pile = world.pile;
   setLength(pile, h);
   pile.start = start;
-  pile.least_impact = std::max(kNoImpact, world.scene.forces.gravity.norm() * h);
+  pile.least_impact = std::max(kNoImpact, kImpactInSteps * world.scene.forces.gravity.norm() * h);
   pile.step_mark = pile.counter + 1;
   accelerate(pile);
   linkMovingBodies(world);
