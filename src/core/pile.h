@@ -90,7 +90,7 @@ struct ImpactAhead
   std::uint32_t made;         ///< on the counter of the pile
 };
 
-/// Cells of a uniform grid with the balls in each.
+/// Cells of a uniform grid with the balls in each, by the boxes that they may sweep.
 struct PileGrid
 {
   struct Entry
@@ -98,10 +98,17 @@ struct PileGrid
     Eigen::Vector3f centre, half;  ///< of the box of a ball, from the origin of the grid [m]
     std::uint32_t slot;
   };
-  std::vector<std::uint32_t> start;  ///< of each cell
+  Vector3d origin = Vector3d::Zero();
+  double cells_per_metre = 1.0;
+  float large_edge = 0.0f;           ///< boxes with a longer edge are not in the cells [m]
+  std::array<int, 3> count{1, 1, 1};
+  std::vector<std::uint32_t> start;  ///< of each cell in `entries`
   std::vector<std::uint32_t> cell;   ///< of each ball
   std::vector<Entry> entries;        ///< by cell
   std::vector<Entry> large;
+  std::vector<Entry> strays;         ///< balls that have left their box since, with their new one
+
+  int cellAt(double x, int axis) const;
 };
 
 struct Pile
@@ -130,7 +137,7 @@ struct Pile
   std::vector<std::uint32_t> waking;    ///< slots to wake up at the end of the step
   std::vector<std::uint32_t> first_link;             ///< of each ball: twice its index in `pairs`, and 1 if the ball is b
   std::vector<std::array<std::uint32_t, 2>> chain;   ///< of each pair: the next link of a, of b
-  std::vector<std::uint32_t> first_body;             ///< of each ball: its first link in `bodies`, if it has one
+  std::vector<std::uint32_t> first_body, body_chain; ///< of each ball its first link in `bodies`; of each link the next
   std::vector<ImpactAhead> ahead;                    ///< heap, the next one on top
   std::vector<PairLink> old_pairs;
   std::vector<BodyLink> old_bodies;

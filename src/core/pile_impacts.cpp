@@ -246,7 +246,7 @@ void lookAgain(WorldState& world, std::uint32_t i)
   Pile& pile = world.pile;
   for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
     if (pile.moving[l].ball == i) lookAtBody(world, pile.moving[l], 3 * l + 2);
-  for (std::uint32_t l = pile.first_body[i]; l < pile.bodies.size() && pile.bodies[l].ball == i; ++l)
+  for (std::uint32_t l = pile.first_body[i]; l != Pile::kEndOfChain; l = pile.body_chain[l])
     lookAtBody(world, pile.bodies[l], 3 * l + 1);
   for (std::uint32_t l = pile.first_link[i]; l != Pile::kEndOfChain; l = pile.chain[l / 2][l % 2])
     lookAtPair(pile, l / 2);

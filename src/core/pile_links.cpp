@@ -17,6 +17,8 @@ constexpr double kStepsAhead = 8.0;   // way that links cover, in steps of lengt
 constexpr double kRadiiAhead = 2.0;   // unless it is longer than this; one step at least
 constexpr float kTouchSlack = 2e-4f;  // contacts are looked at that far before they touch [m]
 constexpr double kLargeBox = 1.5;     // in mean edges
+constexpr std::size_t kManyStrays = 1000;  // balls that may leave their boxes before all are linked anew,
+constexpr std::size_t kStrayPart = 20;     // and one in so many of them
 constexpr double kCellsPerBall = 2.0;
 constexpr double kSpread = 3.0;       // the grid covers so many standard deviations; balls outside are in its outer cells
 
@@ -51,25 +53,12 @@ void coverWay(Pile& pile, std::size_t i)
 
 // --- the grid ---
 
-struct Layout
-{
-  Vector3d origin;
-  double cells_per_metre = 1.0;
-  float large = 0.0f;  // boxes with a longer edge are not in the grid [m]
-  std::array<int, 3> count{1, 1, 1};
-
-  int cellAt(double x, int axis) const
-  {
-    return static_cast<int>(std::clamp((x - origin[axis]) * cells_per_metre, 0.0, count[axis] - 1.0));
-  }
-};
-
 float halfEdge(const Pile& pile, std::size_t i, int axis)
 {
   return 0.5f * std::abs(pile.sweep[i][axis]) + pile.margin + kTouchSlack + static_cast<float>(pile.radius(i));
 }
 
-Layout layOut(const Pile& pile)
+void layOut(Pile& pile)
 {
   const double n = static_cast<double>(pile.p.size());
   Vector3d sum = Vector3d::Zero();
@@ -83,25 +72,24 @@ Layout layOut(const Pile& pile)
   Vector3d square = Vector3d::Zero();
   for (const Vector3d& home : pile.home) square += (home - mean).cwiseAbs2();
   const Vector3d half = kSpread * (square / n).cwiseSqrt();
-  Layout layout;
-  layout.origin = mean - half;
+  PileGrid& grid = pile.grid;
+  grid.origin = mean - half;
   double size = kLargeBox * edge / n;
-  layout.large = static_cast<float>(size);
+  grid.large_edge = static_cast<float>(size);
   for (;; size *= 1.25)
   {
     double cells = 1.0;
     for (int axis = 0; axis < 3; ++axis) cells *= std::floor(2.0 * half[axis] / size) + 1.0;
     if (cells <= kCellsPerBall * n + 1.0) break;
   }
-  layout.cells_per_metre = 1.0 / size;
-  for (int axis = 0; axis < 3; ++axis) layout.count[axis] = static_cast<int>(2.0 * half[axis] / size) + 1;
-  return layout;
+  grid.cells_per_metre = 1.0 / size;
+  for (int axis = 0; axis < 3; ++axis) grid.count[axis] = static_cast<int>(2.0 * half[axis] / size) + 1;
 }
 
-PileGrid::Entry entryOf(const Pile& pile, const Layout& layout, std::size_t i)
+PileGrid::Entry entryOf(const Pile& pile, std::size_t i)
 {
   PileGrid::Entry entry;
-  entry.centre = (pile.home[i] - layout.origin).cast<float>() + 0.5f * pile.sweep[i];
+  entry.centre = (pile.home[i] - pile.grid.origin).cast<float>() + 0.5f * pile.sweep[i];
   // Far from the origin of the grid a float is coarse: the box grows by its rounding.
   for (int axis = 0; axis < 3; ++axis) entry.half[axis] = halfEdge(pile, i, axis) + 1e-6f * std::abs(entry.centre[axis]);
   entry.slot = static_cast<std::uint32_t>(i);
@@ -110,32 +98,33 @@ PileGrid::Entry entryOf(const Pile& pile, const Layout& layout, std::size_t i)
 
 constexpr std::uint32_t kNoCell = ~0u;
 
-void sortIntoCells(Pile& pile, const Layout& layout)
+void sortIntoCells(Pile& pile)
 {
   PileGrid& grid = pile.grid;
   const std::size_t n = pile.p.size();
-  grid.start.assign(static_cast<std::size_t>(layout.count[0]) * layout.count[1] * layout.count[2] + 1, 0);
+  grid.start.assign(static_cast<std::size_t>(grid.count[0]) * grid.count[1] * grid.count[2] + 1, 0);
   grid.cell.resize(n);
   grid.large.clear();
+  grid.strays.clear();
   for (std::size_t i = 0; i < n; ++i)
   {
-    const PileGrid::Entry entry = entryOf(pile, layout, i);
+    const PileGrid::Entry entry = entryOf(pile, i);
     grid.cell[i] = kNoCell;
-    if (2.0f * entry.half.maxCoeff() > layout.large)
+    if (2.0f * entry.half.maxCoeff() > grid.large_edge)
     {
       grid.large.push_back(entry);
       continue;
     }
     const Vector3d centre = pile.home[i] + 0.5 * pile.sweep[i].cast<double>();
-    const int x = layout.cellAt(centre[0], 0), y = layout.cellAt(centre[1], 1), z = layout.cellAt(centre[2], 2);
-    grid.cell[i] = static_cast<std::uint32_t>((z * layout.count[1] + y) * layout.count[0] + x);
+    const int x = grid.cellAt(centre[0], 0), y = grid.cellAt(centre[1], 1), z = grid.cellAt(centre[2], 2);
+    grid.cell[i] = static_cast<std::uint32_t>((z * grid.count[1] + y) * grid.count[0] + x);
     ++grid.start[grid.cell[i]];
   }
   std::uint32_t total = 0;
   for (std::uint32_t& start : grid.start) start = total += start;  // ends; filled from behind they become starts
   grid.entries.resize(total);
   for (std::size_t i = n; i-- > 0;)
-    if (grid.cell[i] != kNoCell) grid.entries[--grid.start[grid.cell[i]]] = entryOf(pile, layout, i);
+    if (grid.cell[i] != kNoCell) grid.entries[--grid.start[grid.cell[i]]] = entryOf(pile, i);
 }
 
 bool overlap(const PileGrid::Entry& a, const PileGrid::Entry& b)
@@ -149,10 +138,10 @@ void link(Pile& pile, const PileGrid::Entry& a, const PileGrid::Entry& b)
 }
 
 // Each cell with the half of its neighbours that comes after it; three cells in a row lie side by side.
-void linkCells(Pile& pile, const Layout& layout)
+void linkCells(Pile& pile)
 {
   const PileGrid& grid = pile.grid;
-  const auto [nx, ny, nz] = layout.count;
+  const int nx = grid.count[0], ny = grid.count[1], nz = grid.count[2];
   const auto row = [&](std::uint32_t from, int x0, int x1, int y, int z) {
     if (y < 0 || y >= ny || z >= nz) return;
     const std::size_t line = static_cast<std::size_t>(z * ny + y) * static_cast<std::size_t>(nx);
@@ -175,68 +164,85 @@ void linkCells(Pile& pile, const Layout& layout)
 
 // Every cell that may hold the centre of a box that overlaps this one.
 template <typename Action>
-void eachCellNear(const Layout& layout, const PileGrid::Entry& entry, const Action& action)
+void eachCellNear(const PileGrid& grid, const PileGrid::Entry& entry, const Action& action)
 {
   std::array<int, 3> low, high;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double centre = layout.origin[axis] + static_cast<double>(entry.centre[axis]);
-    const double reach = static_cast<double>(entry.half[axis] + 0.5f * layout.large);
-    low[axis] = layout.cellAt(centre - reach, axis);
-    high[axis] = layout.cellAt(centre + reach, axis);
+    const double centre = grid.origin[axis] + static_cast<double>(entry.centre[axis]);
+    const double reach = static_cast<double>(entry.half[axis] + 0.5f * grid.large_edge);
+    low[axis] = grid.cellAt(centre - reach, axis);
+    high[axis] = grid.cellAt(centre + reach, axis);
   }
   for (int z = low[2]; z <= high[2]; ++z)
     for (int y = low[1]; y <= high[1]; ++y)
       for (int x = low[0]; x <= high[0]; ++x)
-        action(static_cast<std::size_t>((z * layout.count[1] + y) * layout.count[0] + x));
+        action(static_cast<std::size_t>((z * grid.count[1] + y) * grid.count[0] + x));
 }
 
-void linkLarge(Pile& pile, const Layout& layout)
+void linkLarge(Pile& pile)
 {
   const std::vector<PileGrid::Entry>& large = pile.grid.large;
   for (std::size_t i = 0; i < large.size(); ++i)
   {
     for (std::size_t k = i + 1; k < large.size(); ++k) link(pile, large[i], large[k]);
-    eachCellNear(layout, large[i], [&](std::size_t cell) {
+    eachCellNear(pile.grid, large[i], [&](std::size_t cell) {
       for (std::uint32_t other = pile.grid.start[cell]; other < pile.grid.start[cell + 1]; ++other)
         link(pile, large[i], pile.grid.entries[other]);
     });
   }
 }
 
-void linkBodies(WorldState& world)
+bool linked(const Pile& pile, std::uint32_t ball, std::size_t body, std::size_t shape)
+{
+  for (std::uint32_t l = pile.first_body[ball]; l != Pile::kEndOfChain; l = pile.body_chain[l])
+    if (pile.bodies[l].body == body && pile.bodies[l].shape == shape) return true;
+  return false;
+}
+
+// With the still bodies on its way that it is not linked with yet.
+void linkWithBodies(WorldState& world, std::uint32_t i)
 {
   Pile& pile = world.pile;
-  pile.first_body.resize(pile.p.size());
-  for (std::uint32_t i = 0; i < pile.p.size(); ++i)
+  const Vector3d centre = pile.home[i] + 0.5 * pile.sweep[i].cast<double>();
+  const Vector3d half(halfEdge(pile, i, 0), halfEdge(pile, i, 1), halfEdge(pile, i, 2));
+  Box box;
+  box.low = centre - half;
+  box.high = centre + half;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b)
   {
-    pile.first_body[i] = static_cast<std::uint32_t>(pile.bodies.size());
-    const Vector3d centre = pile.home[i] + 0.5 * pile.sweep[i].cast<double>();
-    const Vector3d half(halfEdge(pile, i, 0), halfEdge(pile, i, 1), halfEdge(pile, i, 2));
-    Box box;
-    box.low = centre - half;
-    box.high = centre + half;
-    for (std::size_t b = 0; b < world.bodies.size(); ++b)
+    if (world.bodies[b].moving) continue;
+    for (std::size_t s = 0; s < world.bodies[b].boxes.size(); ++s)
     {
-      if (world.bodies[b].moving) continue;
-      for (std::size_t s = 0; s < world.bodies[b].boxes.size(); ++s)
-        if (box.overlaps(world.bodies[b].boxes[s]))
-          pile.bodies.push_back({i, static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s), {}});
+      if (!box.overlaps(world.bodies[b].boxes[s]) || linked(pile, i, b, s)) continue;
+      pile.body_chain.push_back(pile.first_body[i]);
+      pile.first_body[i] = static_cast<std::uint32_t>(pile.bodies.size());
+      pile.bodies.push_back({i, static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s), {}});
     }
   }
 }
 
-void chainUp(Pile& pile)
+void linkBodies(WorldState& world)
+{
+  Pile& pile = world.pile;
+  pile.body_chain.clear();
+  pile.first_body.assign(pile.p.size(), Pile::kEndOfChain);
+  for (std::uint32_t i = 0; i < pile.p.size(); ++i) linkWithBodies(world, i);
+}
+
+void chainPair(Pile& pile, std::uint32_t l)
+{
+  const std::uint32_t a = pile.pairs[l].a, b = pile.pairs[l].b;
+  pile.chain[l] = {pile.first_link[a], pile.first_link[b]};
+  pile.first_link[a] = 2 * l;
+  pile.first_link[b] = 2 * l + 1;
+}
+
+void chainPairs(Pile& pile)
 {
   pile.first_link.assign(pile.p.size(), Pile::kEndOfChain);
   pile.chain.resize(pile.pairs.size());
-  for (std::uint32_t l = static_cast<std::uint32_t>(pile.pairs.size()); l-- > 0;)
-  {
-    const std::uint32_t a = pile.pairs[l].a, b = pile.pairs[l].b;
-    pile.chain[l] = {pile.first_link[a], pile.first_link[b]};
-    pile.first_link[a] = 2 * l;
-    pile.first_link[b] = 2 * l + 1;
-  }
+  for (std::uint32_t l = static_cast<std::uint32_t>(pile.pairs.size()); l-- > 0;) chainPair(pile, l);
 }
 
 // Links that were there before keep what they know.
@@ -248,13 +254,45 @@ void remember(Pile& pile)
     for (std::uint32_t l = pile.first_link[old.a]; l != Pile::kEndOfChain; l = pile.chain[l / 2][l % 2])
       if (l % 2 == 0 && pile.pairs[l / 2].b == old.b) pile.pairs[l / 2] = old;
   }
-  std::size_t l = 0;  // both lists are in the order of balls
   for (const BodyLink& old : pile.old_bodies)
-  {
-    while (l < pile.bodies.size() && pile.bodies[l].ball < old.ball) ++l;
-    for (std::size_t m = l; m < pile.bodies.size() && pile.bodies[m].ball == old.ball; ++m)
-      if (pile.bodies[m].body == old.body && pile.bodies[m].shape == old.shape) pile.bodies[m].push = old.push;
-  }
+    for (std::uint32_t l = pile.first_body[old.ball]; l != Pile::kEndOfChain; l = pile.body_chain[l])
+      if (pile.bodies[l].body == old.body && pile.bodies[l].shape == old.shape) pile.bodies[l].push = old.push;
+}
+
+// --- a ball that leaves its box before the others ---
+
+void linkStray(Pile& pile, std::uint32_t i, const PileGrid::Entry& mine, const PileGrid::Entry& other)
+{
+  const std::uint32_t k = other.slot;
+  if (k == i || !overlap(mine, other)) return;
+  for (std::uint32_t l = pile.first_link[i]; l != Pile::kEndOfChain; l = pile.chain[l / 2][l % 2])
+    if (pile.pairs[l / 2].a == k || pile.pairs[l / 2].b == k) return;
+  pile.active_pairs.push_back(static_cast<std::uint32_t>(pile.pairs.size()));
+  pile.pairs.push_back({std::min(i, k), std::max(i, k), {}, -1.0f});
+  pile.chain.emplace_back();
+  chainPair(pile, static_cast<std::uint32_t>(pile.pairs.size() - 1));
+}
+
+void stray(WorldState& world, std::uint32_t i)
+{
+  Pile& pile = world.pile;
+  coverWay(pile, i);
+  const PileGrid::Entry mine = entryOf(pile, i);
+  const PileGrid& grid = pile.grid;
+  eachCellNear(grid, mine, [&](std::size_t cell) {
+    for (std::uint32_t e = grid.start[cell]; e < grid.start[cell + 1]; ++e) linkStray(pile, i, mine, grid.entries[e]);
+  });
+  for (const PileGrid::Entry& other : grid.large) linkStray(pile, i, mine, other);
+  for (const PileGrid::Entry& other : grid.strays) linkStray(pile, i, mine, other);
+  pile.grid.strays.push_back(mine);
+  const std::size_t before = pile.bodies.size();
+  linkWithBodies(world, i);
+  for (std::size_t l = before; l < pile.bodies.size(); ++l) pile.active_bodies.push_back(static_cast<std::uint32_t>(l));
+}
+
+bool manyStrays(const Pile& pile)
+{
+  return pile.grid.strays.size() >= std::min(kManyStrays, pile.p.size() / kStrayPart + 1);
 }
 
 unsigned versionsOf(const WorldState& world)
@@ -276,12 +314,12 @@ void build(WorldState& world)
   pile.old_bodies.swap(pile.bodies);
   pile.pairs.clear();
   pile.bodies.clear();
-  const Layout layout = layOut(pile);
-  sortIntoCells(pile, layout);
-  linkCells(pile, layout);
-  linkLarge(pile, layout);
+  layOut(pile);
+  sortIntoCells(pile);
+  linkCells(pile);
+  linkLarge(pile);
   linkBodies(world);
-  chainUp(pile);
+  chainPairs(pile);
   remember(pile);
   pile.links_void = false;
   pile.active_void = true;
@@ -289,21 +327,41 @@ void build(WorldState& world)
 }
 }  // namespace
 
+int PileGrid::cellAt(double x, int axis) const
+{
+  return static_cast<int>(std::clamp((x - origin[axis]) * cells_per_metre, 0.0, count[axis] - 1.0));
+}
+
 void updateLinks(WorldState& world)
 {
   Pile& pile = world.pile;
   bool anew = pile.links_void || pile.body_versions != versionsOf(world);
-  for (std::size_t k = 0; k < pile.awake.size() && !anew; ++k) anew = !covered(pile, pile.awake[k]);
+  updateActive(pile);
+  for (std::size_t k = 0; k < pile.awake.size() && !anew; ++k)
+  {
+    if (covered(pile, pile.awake[k])) continue;
+    anew = manyStrays(pile);
+    if (!anew) stray(world, pile.awake[k]);
+  }
   if (anew) build(world);
   updateActive(pile);
 }
 
 bool updateLinksAfterImpact(WorldState& world, std::uint32_t a, std::uint32_t b)
 {
-  if (covered(world.pile, a) && covered(world.pile, b)) return false;
-  build(world);
-  updateActive(world.pile);
-  return true;
+  Pile& pile = world.pile;
+  for (const std::uint32_t i : {a, b})
+  {
+    if (covered(pile, i)) continue;
+    if (manyStrays(pile))
+    {
+      build(world);
+      updateActive(pile);
+      return true;
+    }
+    stray(world, i);
+  }
+  return false;
 }
 
 void updateActive(Pile& pile)

@@ -225,11 +225,13 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   pile.first_link.reserve(balls);
   pile.chain.reserve(kLinks * balls);
   pile.first_body.reserve(balls);
+  pile.body_chain.reserve(kLinks * balls);
   pile.ahead.reserve(kLinks * balls);
   pile.grid.start.reserve(2 * balls + 3);
   pile.grid.cell.reserve(balls);
   pile.grid.entries.reserve(balls);
   pile.grid.large.reserve(balls);
+  pile.grid.strays.reserve(balls);
 }
 
 void addToPile(WorldState& world, std::uint32_t ball)
