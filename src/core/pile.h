@@ -35,14 +35,16 @@ struct alignas(64) Mover
   float clock = 0.0f;             ///< of its last impact, from the start of the step [s]
   std::uint32_t stamp = 0;        ///< when it last changed, on the counter of the pile
   std::uint16_t kind = 0;
-  bool asleep = false;
+  std::uint8_t impacts = 0;       ///< in this step
+  bool asleep : 1;
   bool loaded : 1;                ///< something carries it: forces act with the contacts, not before them
   bool was_loaded : 1;            ///< at the start of the step
   bool kept_awake : 1;            ///< by a neighbour that is not still
-  std::uint8_t impacts = 0;       ///< in this step
 
-  Mover() : loaded(false), was_loaded(false), kept_awake(false) {}
+  Mover() : asleep(false), loaded(false), was_loaded(false), kept_awake(false) {}
 };
+
+static_assert(sizeof(Mover) == 64, "one cache line");
 
 /// Two balls that may touch soon, or a ball and a shape, with the impulses that acted between them in the last step.
 struct Push
