@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "foresight.h"
+#include "handover.h"
 
 namespace ping_pong
 {
@@ -76,7 +77,7 @@ void runAlone(WorldState& world, Window window, std::size_t i)
 bool meet(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
   const BallRecord &a = world.balls[i], &b = world.balls[k];
-  if (a.squeezed || b.squeezed) return false;
+  if (a.away() || b.away()) return false;
   const IslandRecords& islands = world.islands;
   if (islands.saved_at[i] != IslandRecords::kNotSaved || islands.saved_at[k] != IslandRecords::kNotSaved) return true;
   if (a.path.degree == 0 && b.path.degree == 0) return false;
@@ -155,7 +156,7 @@ bool metNobodyElse(WorldState& world, const Window& window)
   }
   bool nobody = true;
   const auto lookAt = [&](std::size_t i, std::uint32_t k) {
-    if (rootOf(islands, k) == root || world.balls[k].squeezed || !islands.swept[k].overlaps(islands.swept[i])) return;
+    if (rootOf(islands, k) == root || world.balls[k].away() || !islands.swept[k].overlaps(islands.swept[i])) return;
     islands.near.push_back(k);
   };
   islands.near.clear();
@@ -246,7 +247,10 @@ void runIslands(WorldState& world, double end)
   IslandRecords& islands = world.islands;
   for (double start = world.time; start < end;)
   {
-    const double window_end = start + 1.5 * islands.length < end ? start + islands.length : end;
+    const double window_end =
+        endOfWindow(world, start, start + 1.5 * islands.length < end ? start + islands.length : end);
+    const std::size_t first_contact = world.contacts.size();
+    if (!world.pile.ball.empty()) joinPile(world, start, window_end);
     islands.pair_searches = 0;
     const bool done = runWindow(world, {start, window_end, end, nullptr, 0, true});
     const double searches = static_cast<double>(islands.pair_searches) / static_cast<double>(world.balls.size());
@@ -254,7 +258,10 @@ void runIslands(WorldState& world, double end)
       islands.length = std::max(0.5 * std::min(islands.length, window_end - start), kShortestWindow);
     else if (searches < kFewSearches && window_end - start >= islands.length)
       islands.length *= 2.0;
-    if (done) start = window_end;
+    if (!done) continue;
+    movePile(world, start, window_end, end);
+    if (!world.pile.ball.empty()) sortContacts(world, first_contact);
+    start = window_end;
   }
 }
 }  // namespace ping_pong

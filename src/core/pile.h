@@ -127,6 +127,7 @@ struct Pile
   std::vector<Eigen::Vector3f> sweep;   ///< way that the links cover from there, and by the margin around it [m]
   std::vector<Eigen::Vector3f> anchor;  ///< place that it has not left for the time `still`, from home [m]
   std::vector<float> still;             ///< [s]
+  std::vector<float> untouched;         ///< time since it touched another ball [s]
 
   std::vector<BallKind> kinds;
   std::vector<PairLink> pairs;
@@ -168,10 +169,14 @@ struct Pile
   std::size_t bytes() const;  ///< memory of all lists
 };
 
-/// Takes a ball of the world in, at its state now.
-void addToPile(WorldState& world, std::uint32_t ball);
-/// Before the ball leaves WorldState::balls, where later ones move up.
-void removeFromPile(WorldState& world, std::uint32_t ball);
+/// Takes a ball of the world in, at its state then.
+void addToPile(WorldState& world, std::uint32_t ball, double time);
+/// Takes it out, and wakes up who lay on it.
+void dropFromPile(Pile& pile, std::uint32_t ball);
+/// The same before the ball leaves WorldState::balls, where later ones move up.
+void removeFromPile(Pile& pile, std::uint32_t ball);
+/// Takes over the states of all balls that it has, and wakes them up: bodies or balls have been put elsewhere.
+void disturbPile(WorldState& world);
 /// Takes over the state of a ball that is in the pile, and wakes it up.
 void restatePile(WorldState& world, std::size_t slot);
 void clearPile(Pile& pile);
@@ -184,9 +189,9 @@ void storeBall(WorldState& world, std::size_t slot, double time);
 /// Wakes up balls that touch a sphere, or nearly.
 void wakeNear(Pile& pile, const Vector3d& p_WB, double radius);
 
-/// Steps of equal length, none longer than the scene's dt, from world.time to `end`; then writes the states of balls that
-/// have moved into the records of the world.
-void runPile(WorldState& world, double end);
+/// Steps of equal length from `start` to `end`; then writes the states of balls that have moved into the records of the
+/// world.
+void runPile(WorldState& world, double start, double end, double longest_step);
 
 // --- parts of a step, in this order ---
 

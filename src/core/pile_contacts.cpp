@@ -314,6 +314,7 @@ void keepPushes(Pile& pile)
     link.push = touch.push;
     watch(pile, link);
     if (touch.push.normal == 0.0f) continue;
+    pile.untouched[touch.a] = pile.untouched[touch.b] = 0.0f;
     for (const std::uint32_t i : {touch.a, touch.b})
       if (!pile.movers[i].asleep) pile.movers[i].loaded = true;
   }

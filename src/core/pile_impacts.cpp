@@ -100,6 +100,7 @@ void hitPair(WorldState& world, const PairLink& link, double t)
   finish(contact, a, n, p_WC, v_other, impulse);
   fork(pile, link.a, a, t);
   fork(pile, link.b, b, t);
+  pile.untouched[link.a] = pile.untouched[link.b] = 0.0f;
 }
 
 // Time of the impact of two balls in this step, or kNever. Where both are under the same acceleration, their relative path is

@@ -33,11 +33,11 @@ std::uint16_t kindOf(Pile& pile, const BallRecord& ball)
   return static_cast<std::uint16_t>(pile.kinds.size() - 1);
 }
 
-void take(WorldState& world, std::size_t slot)
+void take(WorldState& world, std::size_t slot, double time)
 {
   Pile& pile = world.pile;
   const BallRecord& ball = world.balls[pile.ball[slot]];
-  const BallState state = ball.stateAt(world.time);
+  const BallState state = ball.stateAt(time);
   Mover mover;
   mover.kind = kindOf(pile, ball);
   mover.v = state.v_WB;
@@ -47,7 +47,7 @@ void take(WorldState& world, std::size_t slot)
   pile.movers[slot] = mover;
   pile.p[slot] = pile.home[slot] = state.p_WB;
   pile.q[slot] = state.q_WB;
-  pile.still[slot] = 0.0f;
+  pile.still[slot] = pile.untouched[slot] = 0.0f;
   pile.links_void = pile.active_void = true;
 }
 
@@ -125,6 +125,7 @@ void endStep(WorldState& world)
     pile.p[i] = p;
     mover.v = v;
     turn(pile, i);
+    pile.untouched[i] += static_cast<float>(pile.h);
     const Eigen::Vector3f way = (p - pile.home[i]).cast<float>();
     const bool there = (way - pile.anchor[i]).squaredNorm() < kPlace * kPlace;
     pile.still[i] = there ? pile.still[i] + static_cast<float>(pile.h) : 0.0f;
@@ -191,6 +192,7 @@ void clearPile(Pile& pile)
   pile.sweep.clear();
   pile.anchor.clear();
   pile.still.clear();
+  pile.untouched.clear();
   pile.kinds.clear();
   pile.pairs.clear();
   pile.bodies.clear();
@@ -215,6 +217,7 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   pile.sweep.reserve(balls);
   pile.anchor.reserve(balls);
   pile.still.reserve(balls);
+  pile.untouched.reserve(balls);
   for (std::vector<PairLink>* links : {&pile.pairs, &pile.old_pairs}) links->reserve(kLinks * balls);
   for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving}) links->reserve(kLinks * balls);
   pile.awake.reserve(balls);
@@ -234,7 +237,7 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   pile.grid.strays.reserve(balls);
 }
 
-void addToPile(WorldState& world, std::uint32_t ball)
+void addToPile(WorldState& world, std::uint32_t ball, double time)
 {
   Pile& pile = world.pile;
   pile.ball.push_back(ball);
@@ -246,39 +249,51 @@ void addToPile(WorldState& world, std::uint32_t ball)
   pile.sweep.push_back(Eigen::Vector3f::Zero());
   pile.anchor.push_back(Eigen::Vector3f::Zero());
   pile.still.push_back(0.0f);
-  take(world, pile.ball.size() - 1);
+  pile.untouched.push_back(0.0f);
+  take(world, pile.ball.size() - 1, time);
 }
 
-void removeFromPile(WorldState& world, std::uint32_t ball)
+void dropFromPile(Pile& pile, std::uint32_t ball)
 {
-  Pile& pile = world.pile;
   const auto found = std::find(pile.ball.begin(), pile.ball.end(), ball);
+  if (found == pile.ball.end()) return;
   const auto slot = static_cast<std::uint32_t>(found - pile.ball.begin());
-  if (found != pile.ball.end())
-  {
-    wakeNear(pile, pile.p[slot], pile.radius(slot));
-    const auto drop = [slot](auto& list) {
-      if (slot < list.size()) list.erase(list.begin() + slot);
-    };
-    drop(pile.ball), drop(pile.movers), drop(pile.p), drop(pile.q), drop(pile.a), drop(pile.home);
-    drop(pile.sweep), drop(pile.anchor), drop(pile.still);
-    const auto forget = [](auto& links, const auto& its) {
-      links.erase(std::remove_if(links.begin(), links.end(), its), links.end());
-    };
-    forget(pile.pairs, [slot](const PairLink& link) { return link.a == slot || link.b == slot; });
-    forget(pile.bodies, [slot](const BodyLink& link) { return link.ball == slot; });
-    for (PairLink& link : pile.pairs) link.a -= link.a > slot, link.b -= link.b > slot;
-    for (BodyLink& link : pile.bodies) link.ball -= link.ball > slot;
-    pile.links_void = pile.active_void = true;
-  }
+  wakeNear(pile, pile.p[slot], pile.radius(slot));
+  const auto drop = [slot](auto& list) {
+    if (slot < list.size()) list.erase(list.begin() + slot);
+  };
+  drop(pile.ball), drop(pile.movers), drop(pile.p), drop(pile.q), drop(pile.a), drop(pile.home);
+  drop(pile.sweep), drop(pile.anchor), drop(pile.still), drop(pile.untouched);
+  const auto forget = [](auto& links, const auto& its) {
+    links.erase(std::remove_if(links.begin(), links.end(), its), links.end());
+  };
+  forget(pile.pairs, [slot](const PairLink& link) { return link.a == slot || link.b == slot; });
+  forget(pile.bodies, [slot](const BodyLink& link) { return link.ball == slot; });
+  for (PairLink& link : pile.pairs) link.a -= link.a > slot, link.b -= link.b > slot;
+  for (BodyLink& link : pile.bodies) link.ball -= link.ball > slot;
+  pile.links_void = pile.active_void = true;
+}
+
+void removeFromPile(Pile& pile, std::uint32_t ball)
+{
+  dropFromPile(pile, ball);
   for (std::uint32_t& other : pile.ball) other -= other > ball;
+}
+
+void disturbPile(WorldState& world)
+{
+  for (std::size_t slot = 0; slot < world.pile.ball.size(); ++slot)
+  {
+    world.balls[world.pile.ball[slot]].asleep = false;
+    take(world, slot, world.time);
+  }
 }
 
 void restatePile(WorldState& world, std::size_t slot)
 {
   world.balls[world.pile.ball[slot]].asleep = false;
   wakeNear(world.pile, world.pile.p[slot], world.pile.radius(slot));
-  take(world, slot);
+  take(world, slot, world.time);
   wakeNear(world.pile, world.pile.p[slot], world.pile.radius(slot));
 }
 
@@ -293,14 +308,14 @@ void storeBall(WorldState& world, std::size_t slot, double time)
   path.q_WB = pile.q[slot];
 }
 
-void runPile(WorldState& world, double end)
+void runPile(WorldState& world, double start, double end, double longest_step)
 {
   Pile& pile = world.pile;
   if (pile.ball.empty()) return;
-  const double duration = end - world.time;
-  const long count = std::max(1L, std::lround(std::ceil(duration / world.scene.dt - 1e-9)));
+  const double duration = end - start;
+  const long count = std::max(1L, std::lround(std::ceil(duration / longest_step - 1e-9)));
   const double h = duration / static_cast<double>(count);
-  for (long i = 0; i < count; ++i) step(world, world.time + h * static_cast<double>(i), h);
+  for (long i = 0; i < count; ++i) step(world, start + h * static_cast<double>(i), h);
   updateActive(pile);
   for (const std::uint32_t i : pile.awake)
   {

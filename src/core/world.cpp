@@ -5,6 +5,7 @@
 #include "count.h"
 #include "exact_method.h"
 #include "fixed_step.h"
+#include "handover.h"
 #include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/drive.h"
 #include "placement.h"
@@ -94,6 +95,7 @@ void World::Impl::start()
   islands.length = IslandRecords::kFirstLength;
   status = StepStatus();
   balls.clear();
+  clearPile(pile);
   bodies.clear();
   for (const Body& body : scene.bodies)
   {
@@ -130,9 +132,9 @@ void World::Impl::planAll()
 {
   makeSpace();
   if (eventByEvent(scene.method)) restartExact(*this);
-  if (scene.method != Method::Impulse) return;
-  clearPile(pile);
-  for (std::uint32_t i = 0; i < balls.size(); ++i) addToPile(*this, i);
+  disturbPile(*this);
+  if (scene.method != Method::Impulse || !pile.ball.empty()) return;
+  for (std::uint32_t i = 0; i < balls.size(); ++i) addToPile(*this, i, time);
 }
 
 void World::Impl::planBall(std::size_t index)
@@ -141,7 +143,7 @@ void World::Impl::planBall(std::size_t index)
   if (eventByEvent(scene.method)) restartBall(*this, index);
   if (scene.method != Method::Impulse) return;
   if (index == pile.ball.size())
-    addToPile(*this, static_cast<std::uint32_t>(index));
+    addToPile(*this, static_cast<std::uint32_t>(index), time);
   else
     restatePile(*this, index);
 }
@@ -206,7 +208,7 @@ void World::Impl::runMethod(double end)
   if (eventByEvent(scene.method))
     runExact(*this, end);
   else if (scene.method == Method::Impulse)
-    runPile(*this, end);
+    runPile(*this, time, end, scene.dt);
   else
     runFixedStep(*this, end);
 }
@@ -215,9 +217,9 @@ void World::Impl::runMethod(double end)
 // is squeezed. (In a pile balls may overlap a little, and push each other out.)
 void World::Impl::makeRoom()
 {
-  const bool piled = scene.method == Method::Impulse;
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
+    const bool piled = balls[i].piled || scene.method == Method::Impulse;
     BallState state = balls[i].stateAt(time);
     if (piled ? !overlapsABody(*this, state.p_WB, balls[i].params.radius) : hasRoom(*this, state.p_WB, balls[i].params.radius, i)) continue;
     const bool room = pushOut(*this, state.p_WB, balls[i].params.radius, i);
@@ -377,7 +379,7 @@ Refusal World::deleteBall(BallId id)
 {
   const std::size_t index = findBall(id);
   if (index == kNone) return {"ball: no ball_" + std::to_string(id)};
-  if (!impl_->pile.ball.empty()) removeFromPile(*impl_, static_cast<std::uint32_t>(index));
+  if (!impl_->pile.ball.empty()) removeFromPile(impl_->pile, static_cast<std::uint32_t>(index));
   impl_->balls.erase(impl_->balls.begin() + static_cast<std::ptrdiff_t>(index));
   return {};
 }
@@ -391,6 +393,7 @@ Refusal World::setBallState(BallId id, const BallState& state)
   BallRecord& ball = impl_->balls[index];
   reason = describeOverlap(*impl_, state.p_WB, ball.params.radius, index);
   if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
+  if (ball.piled) leavePile(*impl_, static_cast<std::uint32_t>(index), impl_->time, impl_->time);
   ball.squeezed = false;
   ball.supports = Supports();
   ball.path = flyParabola(normalized(state), impl_->time, Vector3d::Zero());

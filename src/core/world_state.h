@@ -48,7 +48,10 @@ struct BallRecord
   Segment path;
   Supports supports;
   bool squeezed = false;
+  bool piled = false;   ///< handed over to the pile, see handover.h
   bool asleep = false;  ///< in the pile, see pile.h
+  int crowding = 0;     ///< contacts with other balls since then, see handover.h
+  double crowded_since = -1e300;  ///< [s]
   double step = 0.0;  ///< length of the next piece of flight through air, 0: unknown [s]
   bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
   Event next;         ///< with still bodies; holds until the path changes
@@ -66,6 +69,8 @@ struct BallRecord
     : id(its_id), params(its_params), model(forces, its_params)
   {
   }
+  /// The exact method has nothing to do with it.
+  bool away() const { return squeezed || piled; }
   BallState stateAt(double time) const { return path.state(time - path.start); }
 };
 
