@@ -53,6 +53,8 @@ foreach(name
     corner
     same_bits
     islands
+    impulse
+    handover
     edges
     grazing
     resting

@@ -348,9 +348,11 @@ void restartExact(WorldState& world)
 bool runTogether(WorldState& world, const Window& window)
 {
   const std::size_t limit = kEventsPerAdvance + kEventsPerBall * world.balls.size();
+  std::size_t events = 0;
   for (std::size_t i = earliestBall(world, window); i != kNone; i = earliestBall(world, window))
   {
     if (soonest(world.balls[i]).time > window.end) return true;
+    if (++events > window.most_events) return false;
     if (++world.status.events > limit)
     {
       world.status.event_limit = true;

@@ -96,6 +96,19 @@ void countCrowding(BallRecord& ball, double t)
   ++ball.crowding;
 }
 
+std::size_t mostEvents(const WorldState& world, const std::vector<std::size_t>& balls)
+{
+  for (const std::size_t i : balls)
+    if (world.surface(world.balls[i], world.balls[i]).restitution == 1.0) return ~std::size_t{0};
+  return static_cast<std::size_t>(kCrowded) * balls.size();
+}
+
+void passOn(WorldState& world, const std::vector<std::uint32_t>& balls, double t)
+{
+  for (const std::uint32_t i : balls)
+    if (!world.balls[i].away()) join(world, i, t);
+}
+
 double endOfWindow(const WorldState& world, double start, double end)
 {
   const Pile& pile = world.pile;

@@ -12,6 +12,12 @@ namespace ping_pong
 /// After a contact of a ball with another one at time t that loses speed: notes if they follow each other too fast.
 void countCrowding(BallRecord& ball, double t);
 
+/// So many events in one window are crowded for these balls, if all of them can lose speed to each other.
+std::size_t mostEvents(const WorldState& world, const std::vector<std::size_t>& balls);
+
+/// These balls join the pile where they are at time t.
+void passOn(WorldState& world, const std::vector<std::uint32_t>& balls, double t);
+
 /// End of the next window, which starts at `start`: short while balls of the pile are awake.
 double endOfWindow(const WorldState& world, double start, double end);
 

@@ -132,7 +132,8 @@ void backToStart(WorldState& world, std::size_t first_contact, std::uint32_t roo
   if (ran) forgetContacts(world, first_contact, root);
 }
 
-void runIsland(WorldState& world, Window window)
+// False if there is no end of events.
+bool runIsland(WorldState& world, Window window)
 {
   const std::vector<std::size_t>& members = world.islands.members;
   for (std::size_t m = 0; m < members.size(); ++m)
@@ -140,7 +141,8 @@ void runIsland(WorldState& world, Window window)
       foreseeBall(world, members[m], members[n], -kNever, window.end);
   window.members = members.data();
   window.count = members.size();
-  runTogether(world, window);
+  window.most_events = mostEvents(world, members);
+  return runTogether(world, window) || world.status.event_limit;
 }
 
 // Balls that were thrown off their path may sweep into balls outside: joins those. False if there are any.
@@ -183,7 +185,7 @@ bool worthAShorterWindow(const WorldState& world, const Window& window)
          searches > kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
 }
 
-// False if the island is too large for this window.
+// False if the island is too large for this window, or crowded.
 bool settleIsland(WorldState& world, const Window& window, std::uint32_t first, std::size_t first_contact)
 {
   IslandRecords& islands = world.islands;
@@ -192,7 +194,11 @@ bool settleIsland(WorldState& world, const Window& window, std::uint32_t first, 
     gatherMembers(islands, first);
     if (worthAShorterWindow(world, window)) return false;
     backToStart(world, first_contact, rootOf(islands, first));
-    runIsland(world, window);
+    if (!runIsland(world, window))
+    {
+      islands.crowded.assign(islands.members.begin(), islands.members.end());
+      return false;
+    }
   } while (!metNobodyElse(world, window));
   islands.settled[rootOf(islands, first)] = true;
   for (const std::size_t i : islands.members)
@@ -252,8 +258,15 @@ void runIslands(WorldState& world, double end)
     const std::size_t first_contact = world.contacts.size();
     if (!world.pile.ball.empty()) joinPile(world, start, window_end);
     islands.pair_searches = 0;
-    const bool done = runWindow(world, {start, window_end, end, nullptr, 0, true});
+    const bool all_piled = world.pile.ball.size() == world.balls.size();
+    const bool done = all_piled || runWindow(world, {start, window_end, end, nullptr, 0, true});
     const double searches = static_cast<double>(islands.pair_searches) / static_cast<double>(world.balls.size());
+    if (!islands.crowded.empty())
+    {
+      passOn(world, islands.crowded, start);
+      islands.crowded.clear();
+      continue;
+    }
     if (!done || searches > kManySearches)
       islands.length = std::max(0.5 * std::min(islands.length, window_end - start), kShortestWindow);
     else if (searches < kFewSearches && window_end - start >= islands.length)

@@ -23,6 +23,7 @@ struct BallKind
   FlightModel model;
   Vector3d a = Vector3d::Zero();  ///< acceleration in flight, if it is constant [m/s^2]
   double spin_per_impulse = 0.0;  ///< 1 / (k r): spin is this times impulse / mass [1/m]
+  double inverse_mass = 0.0;      ///< [1/kg]
   double give = 0.0;              ///< 1 + 1/k: slip of the touching point is this times impulse / mass
 };
 
@@ -31,17 +32,17 @@ struct alignas(64) Mover
 {
   Vector3d v = Vector3d::Zero();  ///< [m/s]
   Vector3d w = Vector3d::Zero();  ///< spin [rad/s]
-  float inverse_mass = 0.0f;      ///< 0 while asleep [1/kg]
-  float clock = 0.0f;             ///< of its last impact, from the start of the step [s]
+  double clock = 0.0;             ///< of its last impact, from the start of the step [s]
   std::uint32_t stamp = 0;        ///< when it last changed, on the counter of the pile
   std::uint16_t kind = 0;
   std::uint8_t impacts = 0;       ///< in this step
   bool asleep : 1;
   bool loaded : 1;                ///< something carries it: forces act with the contacts, not before them
   bool was_loaded : 1;            ///< at the start of the step
+  bool half_owed : 1;             ///< forces of the last half step are still to act
   bool kept_awake : 1;            ///< by a neighbour that is not still
 
-  Mover() : asleep(false), loaded(false), was_loaded(false), kept_awake(false) {}
+  Mover() : asleep(false), loaded(false), was_loaded(false), half_owed(false), kept_awake(false) {}
 };
 
 static_assert(sizeof(Mover) == 64, "one cache line");
@@ -73,6 +74,7 @@ struct Touch
   Eigen::Vector3f n;         ///< unit normal, to the (first) ball
   float target;              ///< least normal velocity of the first relative to the second [m/s]
   float normal_mass, slip_mass, friction;
+  float inverse_a, inverse_b;  ///< 1 / mass, 0 while asleep [1/kg]
   std::uint32_t link, a, b;  ///< index of the link, slots of its balls (b only if there are two)
   Push push;
 };
@@ -154,6 +156,7 @@ struct Pile
   bool active_void = true;
   double h = 0.0;                       ///< length of the step [s]
   double start = 0.0;                   ///< of the step [s]
+  std::size_t squeezed = 0;             ///< balls deep in a body at the start of this step
   double least_impact = 0.0;            ///< slower is no impact but a contact [m/s]
 
   const Vector3d& flightAcceleration(std::size_t i) const { return a.empty() ? kinds[movers[i].kind].a : a[i]; }
@@ -162,6 +165,7 @@ struct Pile
   {
     return movers[i].loaded || movers[i].asleep ? Vector3d(Vector3d::Zero()) : flightAcceleration(i);
   }
+  double inverseMass(std::size_t i) const { return movers[i].asleep ? 0.0 : kinds[movers[i].kind].inverse_mass; }
   double radius(std::size_t i) const { return kinds[movers[i].kind].params.radius; }
   const BallParams& params(std::size_t i) const { return kinds[movers[i].kind].params; }
 

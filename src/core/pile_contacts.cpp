@@ -23,10 +23,13 @@ constexpr double kWakingForce = 0.3;    // change of a force on a sleeping ball 
 
 double reachOf(const Pile& pile) { return 4.0 * pile.least_impact * pile.h + 1e-6; }
 
-// Half of the way of the forces before the contacts, the rest after; with something that carries the ball all of it.
+// In free flight the forces act for half of the step before the contacts and for half after them; on a ball that something
+// carries, for all of it before them. Whoever is caught owes the second half to the next step.
 Vector3d kick(const Pile& pile, std::size_t i)
 {
-  return (pile.movers[i].was_loaded ? pile.h : 0.5 * pile.h) * pile.flightAcceleration(i);
+  const Mover& mover = pile.movers[i];
+  const double halves = (mover.was_loaded ? 2.0 : 1.0) + (mover.half_owed ? 1.0 : 0.0);
+  return (0.5 * halves * pile.h) * pile.flightAcceleration(i);
 }
 
 // --- gathering ---
@@ -53,7 +56,6 @@ void watch(Pile& pile, PairLink& link)
   }
   const std::uint32_t sleeper = a_sleeps ? link.a : link.b;
   const float force = link.push.normal / static_cast<float>(pile.h);
-  if (link.held < 0.0f) link.held = force;
   const double weight = pile.params(sleeper).mass * pile.flightAcceleration(sleeper).norm();
   if (std::abs(force - link.held) > kWakingForce * weight) pile.waking.push_back(sleeper);
 }
@@ -63,6 +65,7 @@ void gatherPair(WorldState& world, std::uint32_t l)
   Pile& pile = world.pile;
   PairLink& link = pile.pairs[l];
   Mover &a = pile.movers[link.a], &b = pile.movers[link.b];
+  if (a.asleep != b.asleep && link.held < 0.0f) link.held = link.push.normal / static_cast<float>(pile.h);
   const double reach = pile.radius(link.a) + pile.radius(link.b);
   const Vector3d d = pile.p[link.a] - pile.p[link.b];
   const Vector3d u = a.v - b.v;
@@ -78,20 +81,21 @@ void gatherPair(WorldState& world, std::uint32_t l)
   const Vector3d n = distance > 0.0 ? Vector3d(d_end / distance) : Vector3d(Vector3d::UnitZ());
   const bool hit = hitInThisStep(pile, link.a) || hitInThisStep(pile, link.b);
   const double gap_at_start = hit ? 0.0 : d.norm() - reach;
-  const double mass = 1.0 / static_cast<double>(a.inverse_mass + b.inverse_mass);
+  const double inverse_a = pile.inverseMass(link.a), inverse_b = pile.inverseMass(link.b);
+  const double mass = 1.0 / (inverse_a + inverse_b);
   if (const double out = pushOut(gap_at_start); out > 0.0)
   {
-    pile.p[link.a] += (out * static_cast<double>(a.inverse_mass) * mass) * n;
-    pile.p[link.b] -= (out * static_cast<double>(b.inverse_mass) * mass) * n;
+    pile.p[link.a] += (out * inverse_a * mass) * n;
+    pile.p[link.b] -= (out * inverse_b * mass) * n;
   }
   if (gap_at_start < -kForgets) link.push = Push();
   Touch& touch = pile.touches.emplace_back();
   touch.n = n.cast<float>();
   touch.target = target(n.dot(u), distance - reach, gap_at_start, pile.h);
   touch.normal_mass = static_cast<float>(mass);
-  const double give = static_cast<double>(a.inverse_mass) * pile.kinds[a.kind].give +
-                      static_cast<double>(b.inverse_mass) * pile.kinds[b.kind].give;
-  touch.slip_mass = static_cast<float>(1.0 / give);
+  touch.slip_mass = static_cast<float>(1.0 / (inverse_a * pile.kinds[a.kind].give + inverse_b * pile.kinds[b.kind].give));
+  touch.inverse_a = static_cast<float>(inverse_a);
+  touch.inverse_b = static_cast<float>(inverse_b);
   touch.friction = static_cast<float>(world.scene.surfaces.at(pile.params(link.a).material, pile.params(link.b).material).friction);
   touch.link = l;
   touch.a = link.a;
@@ -120,13 +124,16 @@ void gatherBody(WorldState& world, std::uint32_t l, BodyLink& link)
   }
   const double gap_at_start = hitInThisStep(pile, i) ? 0.0 : gapAt(pile.p[i], 0.0).gap;
   if (body.moving) pile.wake(i);
+  pile.squeezed += gap_at_start < -kForgets;
   pile.p[i] += pushOut(gap_at_start) * gap.n_W;
   if (gap_at_start < -kForgets) link.push = Push();
   BodyTouch& touch = pile.body_touches.emplace_back();
   touch.n = gap.n_W.cast<float>();
   touch.target = target(gap.n_W.dot(mover.v), gap.gap, gap_at_start, pile.h);
-  touch.normal_mass = 1.0f / mover.inverse_mass;
-  touch.slip_mass = static_cast<float>(1.0 / (static_cast<double>(mover.inverse_mass) * pile.kinds[mover.kind].give));
+  const BallKind& kind = pile.kinds[mover.kind];
+  touch.normal_mass = static_cast<float>(kind.params.mass);
+  touch.slip_mass = static_cast<float>(kind.params.mass / kind.give);
+  touch.inverse_a = touch.inverse_b = static_cast<float>(kind.inverse_mass);
   const double middle = pile.start + 0.5 * pile.h - body.motion.start;
   touch.u = body.moving ? Vector3f(frameAt(body.motion, middle).pointVelocity(end - radius * gap.n_W).cast<float>())
                         : Vector3f(Vector3f::Zero());
@@ -175,18 +182,18 @@ bool slips(const Touch& touch)
   return touch.friction > 0.0f && (touch.push.normal > 0.0f || !touch.push.tangent.isZero(0.0f));
 }
 
-// Impulse along n and across it on one ball; sign 1 or -1.
-void apply(const Pile& pile, Mover& ball, const Touch& touch, float normal, const Vector3f& across, float sign)
+// Impulse along n and across it on one ball: the first, or the second with the opposite sign.
+void apply(const Pile& pile, Mover& ball, const Touch& touch, float normal, const Vector3f& across, bool first)
 {
-  const float per_mass = ball.inverse_mass;
-  ball.v += (sign * per_mass * (normal * touch.n + across)).cast<double>();
+  const float per_mass = first ? touch.inverse_a : touch.inverse_b;
+  ball.v += ((first ? per_mass : -per_mass) * (normal * touch.n + across)).cast<double>();
   const float spin = per_mass * static_cast<float>(pile.kinds[ball.kind].spin_per_impulse);
   ball.w -= (spin * touch.n.cross(across)).cast<double>();
 }
 
-void applyNormal(Mover& ball, const Touch& touch, float impulse)
+void applyNormal(Mover& ball, const Touch& touch, float gain)
 {
-  ball.v += (ball.inverse_mass * impulse * touch.n).cast<double>();
+  ball.v += (gain * touch.n).cast<double>();
 }
 
 void warmStart(Pile& pile)
@@ -194,8 +201,8 @@ void warmStart(Pile& pile)
   const auto start = [&pile](Touch& touch, bool pair) {
     if (touch.push.normal == 0.0f) return;
     touch.push.tangent -= touch.n.dot(touch.push.tangent) * touch.n;
-    apply(pile, pile.movers[touch.a], touch, touch.push.normal, touch.push.tangent, 1.0f);
-    if (pair) apply(pile, pile.movers[touch.b], touch, touch.push.normal, touch.push.tangent, -1.0f);
+    apply(pile, pile.movers[touch.a], touch, touch.push.normal, touch.push.tangent, true);
+    if (pair) apply(pile, pile.movers[touch.b], touch, touch.push.normal, touch.push.tangent, false);
   };
   for (BodyTouch& touch : pile.body_touches) start(touch, false);
   for (Touch& touch : pile.touches) start(touch, true);
@@ -214,12 +221,12 @@ bool solveBody(Pile& pile, BodyTouch& touch, float small)
     u -= touch.u;
     const Vector3f slip = u - touch.n.dot(u) * touch.n - radius * ball.w.cast<float>().cross(touch.n);
     const Vector3f across = slipImpulse(touch, slip);
-    apply(pile, ball, touch, impulse, across, 1.0f);
+    apply(pile, ball, touch, impulse, across, true);
     change += across.norm();
   }
   else
-    applyNormal(ball, touch, impulse);
-  return change * ball.inverse_mass > small;
+    applyNormal(ball, touch, touch.inverse_a * impulse);
+  return change * touch.inverse_a > small;
 }
 
 bool solvePair(Pile& pile, Touch& touch, float small)
@@ -234,16 +241,16 @@ bool solvePair(Pile& pile, Touch& touch, float small)
     const float radius_a = static_cast<float>(pile.radius(touch.a)), radius_b = static_cast<float>(pile.radius(touch.b));
     const Vector3f spin = radius_a * a.w.cast<float>() + radius_b * b.w.cast<float>();
     const Vector3f across = slipImpulse(touch, u - along * touch.n - spin.cross(touch.n));
-    apply(pile, a, touch, impulse, across, 1.0f);
-    apply(pile, b, touch, impulse, across, -1.0f);
+    apply(pile, a, touch, impulse, across, true);
+    apply(pile, b, touch, impulse, across, false);
     change += across.norm();
   }
   else
   {
-    applyNormal(a, touch, impulse);
-    applyNormal(b, touch, -impulse);
+    applyNormal(a, touch, touch.inverse_a * impulse);
+    applyNormal(b, touch, -touch.inverse_b * impulse);
   }
-  return change * std::max(a.inverse_mass, b.inverse_mass) > small;
+  return change * std::max(touch.inverse_a, touch.inverse_b) > small;
 }
 
 // Every touch once; then those of balls that changed, forwards and backwards in turn, until nothing changes any more.
@@ -284,7 +291,7 @@ void resist(WorldState& world, const BodyTouch& touch)
   const BallKind& kind = pile.kinds[ball.kind];
   const Surface& law = world.scene.surfaces.at(kind.params.material, touch.material);
   if (law.rolling_resistance == 0.0 && law.spin_friction == 0.0) return;
-  const double load = static_cast<double>(touch.push.normal * ball.inverse_mass);  // [m/s]
+  const double load = static_cast<double>(touch.push.normal * touch.inverse_a);  // [m/s]
   const Vector3d n = touch.n.cast<double>();
   const Vector3d u = ball.v - touch.u.cast<double>();
   const Vector3d along = u - n.dot(u) * n;

@@ -30,12 +30,12 @@ Vector3d velocityAt(const Pile& pile, std::size_t i, double t)
 void fork(Pile& pile, std::size_t i, const BallState& state, double t)
 {
   Mover& mover = pile.movers[i];
-  if (!mover.w.isZero(0.0)) turnBall(pile.q[i], (t - static_cast<double>(mover.clock)) * mover.w);
+  if (!mover.w.isZero(0.0)) turnBall(pile.q[i], (t - mover.clock) * mover.w);
   const Vector3d a = pile.pathAcceleration(i);
   mover.v = state.v_WB - t * a;
   mover.w = state.w_WB;
   pile.p[i] = state.p_WB - t * (state.v_WB - (0.5 * t) * a);
-  mover.clock = static_cast<float>(t);
+  mover.clock = t;
   mover.stamp = pile.counter;
   ++mover.impacts;
 }
@@ -159,7 +159,7 @@ double stillImpact(const Pile& pile, std::size_t i, const Shape& placed)
 
 double movingImpact(const Pile& pile, std::size_t i, const Shape& shape, const BodyMotion& motion)
 {
-  const double from = pile.start + static_cast<double>(pile.movers[i].clock);
+  const double from = pile.start + pile.movers[i].clock;
   const Segment path = flyParabola(stateAt(pile, i, 0.0), pile.start, pile.pathAcceleration(i));
   const Detection found = firstContact(path, pile.radius(i), shape, motion, from, pile.start + pile.h);
   if (!found.found()) return kNever;

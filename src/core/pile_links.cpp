@@ -304,8 +304,8 @@ unsigned versionsOf(const WorldState& world)
 
 void build(WorldState& world)
 {
-  count(Law::BroadPhase);
   Pile& pile = world.pile;
+  if (pile.p.size() > 1) count(Law::BroadPhase);
   double radii = 0.0;
   for (std::size_t i = 0; i < pile.p.size(); ++i) radii += pile.radius(i);
   pile.margin = static_cast<float>(kMargin * radii / static_cast<double>(pile.p.size()));

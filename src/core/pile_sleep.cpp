@@ -26,7 +26,6 @@ void sleep(WorldState& world, std::size_t i)
   mover.asleep = mover.loaded = true;
   mover.v.setZero();
   mover.w.setZero();
-  mover.inverse_mass = 0.0f;
   pile.active_void = true;
   BallRecord& ball = world.balls[pile.ball[i]];
   ball.asleep = true;
@@ -54,7 +53,6 @@ void Pile::wake(std::size_t i)
   if (!mover.asleep) return;
   mover.asleep = false;
   mover.loaded = mover.was_loaded = true;
-  mover.inverse_mass = static_cast<float>(1.0 / params(i).mass);
   still[i] = 0.0f;
   active_void = true;
 }

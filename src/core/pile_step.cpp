@@ -11,6 +11,7 @@ namespace ping_pong
 {
 namespace
 {
+constexpr double kFastest = 1e8;       // [m/s]
 constexpr double kNoImpact = 1e-9;     // slower is no impact: without any force [m/s],
 constexpr double kImpactInSteps = 2.0; // and else what gravity adds in so many steps
 constexpr float kPlace = 1e-4f;     // as in pile_sleep.cpp [m]
@@ -28,6 +29,7 @@ std::uint16_t kindOf(Pile& pile, const BallRecord& ball)
   BallKind kind{ball.params, ball.model};
   if (ball.model.constant()) kind.a = ball.model.acceleration(Vector3d::Zero(), Vector3d::Zero());
   kind.spin_per_impulse = 1.0 / (ball.params.inertia * ball.params.radius);
+  kind.inverse_mass = 1.0 / ball.params.mass;
   kind.give = 1.0 + 1.0 / ball.params.inertia;
   pile.kinds.push_back(kind);
   return static_cast<std::uint16_t>(pile.kinds.size() - 1);
@@ -43,7 +45,6 @@ void take(WorldState& world, std::size_t slot, double time)
   mover.v = state.v_WB;
   mover.w = state.w_WB;
   mover.asleep = mover.loaded = mover.was_loaded = ball.asleep;
-  mover.inverse_mass = ball.asleep ? 0.0f : static_cast<float>(1.0 / ball.params.mass);
   pile.movers[slot] = mover;
   pile.p[slot] = pile.home[slot] = state.p_WB;
   pile.q[slot] = state.q_WB;
@@ -53,11 +54,18 @@ void take(WorldState& world, std::size_t slot, double time)
 
 // --- the step ---
 
-void accelerate(Pile& pile)
+void accelerate(WorldState& world)
 {
+  Pile& pile = world.pile;
   if (pile.a.empty()) return;
   for (const std::uint32_t i : pile.awake)
-    pile.a[i] = pile.kinds[pile.movers[i].kind].model.acceleration(pile.movers[i].v, pile.movers[i].w);
+  {
+    const Mover& mover = pile.movers[i];
+    pile.a[i] = pile.kinds[mover.kind].model.acceleration(mover.v, mover.w);
+    if ((mover.v + pile.h * pile.a[i]).norm() < kFastest) continue;
+    pile.a[i].setZero();  // the step is too long for the drag: the ball goes straight on
+    world.status.not_finite = true;
+  }
 }
 
 double reachOf(const Body& body)
@@ -92,8 +100,8 @@ void linkMovingBodies(WorldState& world)
 void turn(Pile& pile, std::size_t i)
 {
   Mover& mover = pile.movers[i];
-  const double left = pile.h - static_cast<double>(mover.clock);
-  mover.clock = 0.0f;
+  const double left = pile.h - mover.clock;
+  mover.clock = 0.0;
   mover.impacts = 0;
   if (mover.w.isZero(0.0)) return;
   const double decay = pile.kinds[mover.kind].model.spinDecay();
@@ -110,16 +118,18 @@ void endStep(WorldState& world)
     Mover& mover = pile.movers[i];
     const Vector3d p = pile.p[i] + pile.h * mover.v;
     Vector3d v = mover.v;
+    mover.half_owed = !mover.was_loaded && mover.loaded;
     if (!mover.was_loaded && !mover.loaded)
     {
       const Vector3d predicted = v + (0.5 * pile.h) * pile.flightAcceleration(i);
       v += (0.5 * pile.h) * (pile.a.empty() ? pile.flightAcceleration(i)
                                              : pile.kinds[mover.kind].model.acceleration(predicted, mover.w));
     }
-    if (!std::isfinite(p.sum() + v.sum()))  // the ball keeps its last finite state
+    if (!(v.norm() < kFastest) || !p.allFinite())  // the ball keeps its last finite state
     {
       world.status.not_finite = true;
-      mover.v.setZero();
+      mover.clock = 0.0;
+      mover.impacts = 0;
       continue;
     }
     pile.p[i] = p;
@@ -152,9 +162,10 @@ void step(WorldState& world, double start, double h)
   Pile& pile = world.pile;
   setLength(pile, h);
   pile.start = start;
+  pile.squeezed = 0;
   pile.least_impact = std::max(kNoImpact, kImpactInSteps * world.scene.forces.gravity.norm() * h);
   pile.step_mark = pile.counter + 1;
-  accelerate(pile);
+  accelerate(world);
   linkMovingBodies(world);
   updateLinks(world);
   if (pile.awake.empty() && pile.moving.empty()) return;
@@ -317,6 +328,7 @@ void runPile(WorldState& world, double start, double end, double longest_step)
   const double h = duration / static_cast<double>(count);
   for (long i = 0; i < count; ++i) step(world, start + h * static_cast<double>(i), h);
   updateActive(pile);
+  world.status.squeezed += pile.squeezed;
   for (const std::uint32_t i : pile.awake)
   {
     storeBall(world, i, end);

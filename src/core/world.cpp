@@ -266,6 +266,7 @@ StepStatus World::advance(double duration)
     world.time = next;
     releaseSqueezed(world);
   }
+  world.status.piled = world.pile.ball.size();
   for (const BallRecord& ball : world.balls)
   {
     world.status.squeezed += ball.squeezed;

@@ -120,6 +120,7 @@ struct IslandRecords
   std::vector<char> settled;               ///< by root: the island has run and met nobody outside
   std::vector<std::size_t> members;        ///< the island at work
   std::vector<std::uint32_t> found, near;  ///< balls in whose way an island's ball has come
+  std::vector<std::uint32_t> crowded;      ///< balls of an island with events without end, see handover.h
   std::vector<std::uint32_t> hit;          ///< balls that another one has thrown off their path
 
   /// Takes the memory for so many balls now, not while the world moves on.

@@ -295,6 +295,7 @@ TEST_P(PayForWhatYouName, AndForNothingElse)
     Laws expected = what.every;
     if (method == Method::Exact) expected = expected + what.exact;
     expected = expected + (locatesContacts(method) ? what.located : what.sampled);
+    if (method == Method::Impulse) expected.erase("constant acceleration");  // worked out when a ball joins the pile
     EXPECT_EQ(lawsOf(what, method), expected) << name(method);
   }
 }
@@ -304,7 +305,7 @@ TEST(PayForWhatYouNameHow, ASceneThatNamesNothingIsFree)
 {
   const Case nothing{"nothing", [] { return SceneBuilder().ball({0, 0, 1}, {1, 2, 3}).build(); }};
   for (const Method method : kMethods)
-    EXPECT_EQ(lawsOf(nothing, method), method == Method::Exact ? Laws{} : Laws{"constant acceleration"})
+    EXPECT_EQ(lawsOf(nothing, method), method == Method::Exact || method == Method::Impulse ? Laws{} : Laws{"constant acceleration"})
         << name(method);
 }
 
