@@ -181,7 +181,7 @@ bool worthAShorterWindow(const WorldState& world, const Window& window)
 {
   const double m = static_cast<double>(world.islands.members.size());
   const double searches = static_cast<double>(world.islands.pair_searches) + m * m;
-  return window.end - window.start > kShortestWindow &&
+  return window.end - window.start > 1.001 * kShortestWindow &&  // beyond the rounding of its ends
          searches > kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
 }
 
