@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "count.h"
 #include "pile.h"
 #include "world_state.h"
 
@@ -295,12 +296,15 @@ void resist(WorldState& world, const BodyTouch& touch)
   const Vector3d n = touch.n.cast<double>();
   const Vector3d u = ball.v - touch.u.cast<double>();
   const Vector3d along = u - n.dot(u) * n;
-  if (const double speed = along.norm(); speed > 0.0)
+  if (const double speed = along.norm(); law.rolling_resistance > 0.0 && speed > 0.0)
   {
+    count(Law::RollingResistance);
     const Vector3d less = (-std::min(1.0, law.rolling_resistance * load / speed)) * along;
     ball.v += less;
     ball.w += n.cross(less) / kind.params.radius;
   }
+  if (law.spin_friction == 0.0) return;
+  count(Law::SpinFriction);
   const double spin = n.dot(ball.w);
   const double most = law.spin_friction * load * kind.spin_per_impulse;
   ball.w -= std::clamp(spin, -most, most) * n;

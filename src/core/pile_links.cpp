@@ -12,7 +12,7 @@ namespace
 {
 using Eigen::Vector3f;
 
-constexpr double kMargin = 0.2;       // that links cover around the way of a ball, in mean radii
+constexpr double kMargin = 0.08;      // that links cover around the way of a ball, in mean radii
 constexpr double kStepsAhead = 8.0;   // way that links cover, in steps of length h,
 constexpr double kRadiiAhead = 2.0;   // unless it is longer than this; one step at least
 constexpr float kTouchSlack = 2e-4f;  // contacts are looked at that far before they touch [m]

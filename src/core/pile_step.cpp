@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "count.h"
 #include "pile.h"
 #include "ping_pong_sim/evolve.h"
 #include "ping_pong_sim/fixed_flight.h"
@@ -184,6 +185,7 @@ void turnBall(Quaterniond& q, const Vector3d& turn)
     q = turned(q, turn, 1.0);
     return;
   }
+  count(Law::Orientation);
   // Taylor series: the next terms are below 1e-17.
   const double sine = 1.0 - x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0 * (1.0 - x / 110.0))));
   const double cosine = 1.0 - x / 2.0 * (1.0 - x / 12.0 * (1.0 - x / 30.0 * (1.0 - x / 56.0 * (1.0 - x / 90.0))));
@@ -324,9 +326,9 @@ void runPile(WorldState& world, double start, double end, double longest_step)
   Pile& pile = world.pile;
   if (pile.ball.empty()) return;
   const double duration = end - start;
-  const long count = std::max(1L, std::lround(std::ceil(duration / longest_step - 1e-9)));
-  const double h = duration / static_cast<double>(count);
-  for (long i = 0; i < count; ++i) step(world, start + h * static_cast<double>(i), h);
+  const long steps = std::max(1L, std::lround(std::ceil(duration / longest_step - 1e-9)));
+  const double h = duration / static_cast<double>(steps);
+  for (long i = 0; i < steps; ++i) step(world, start + h * static_cast<double>(i), h);
   updateActive(pile);
   world.status.squeezed += pile.squeezed;
   for (const std::uint32_t i : pile.awake)
