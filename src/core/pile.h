@@ -170,7 +170,6 @@ struct Pile
   const BallParams& params(std::size_t i) const { return kinds[movers[i].kind].params; }
 
   void wake(std::size_t i);
-  std::size_t bytes() const;  ///< memory of all lists
 };
 
 /// Takes a ball of the world in, at its state then.
