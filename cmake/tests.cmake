@@ -57,6 +57,8 @@ foreach(name
     gas
     state_hash
     islands
+    impulse
+    handover
     edges
     grazing
     resting

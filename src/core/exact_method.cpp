@@ -6,6 +6,7 @@
 #include "contact_record.h"
 #include "flown.h"
 #include "foresight.h"
+#include "handover.h"
 #include "held_motion.h"
 #include "hop.h"
 #include "islands.h"
@@ -187,6 +188,11 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
   countStreak(b, t);
   const Surface& law = world.surface(a, b);
   const Vector3d pull = a.path.acceleration(t - a.path.start) - b.path.acceleration(t - b.path.start);
+  if (law.restitutionAt(closing) < 1.0)
+  {
+    countCrowding(a, t);
+    countCrowding(b, t);
+  }
   const double speed = separationSpeed(a, b, closing, law.restitutionAt(closing), n.dot(pull) < 0.0);
   const BallState before_a = state_a;
   const Vector3d p_WC = state_a.p_WB - a.params.radius * n;
@@ -265,7 +271,7 @@ void startWindow(WorldState& world, double end)
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
     BallRecord& ball = world.balls[i];
-    if (ball.squeezed) continue;
+    if (ball.away()) continue;
     if (liesOnMovedBody(world, ball))
     {
       planPath(world, ball, ball.stateAt(world.time), world.time, end);
@@ -281,7 +287,7 @@ void startWindow(WorldState& world, double end)
 void restartBall(WorldState& world, std::size_t i)
 {
   BallRecord& ball = world.balls[i];
-  if (ball.squeezed) return;
+  if (ball.away()) return;
   planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
   foresee(world, i, world.time);
   ball.next_moving = Event();
@@ -295,9 +301,11 @@ void restartExact(WorldState& world)
 bool runTogether(WorldState& world, const Window& window)
 {
   const std::size_t limit = kEventsPerAdvance + kEventsPerBall * world.balls.size();
+  std::size_t events = 0;
   for (std::size_t i = earliestBall(world, window); i != kNone; i = earliestBall(world, window))
   {
     if (soonest(world.balls[i]).time > window.end) return true;
+    if (++events > window.most_events) return false;
     if (++world.status.events > limit)
     {
       world.status.event_limit = true;
@@ -314,6 +322,7 @@ void runExact(WorldState& world, double end)
   if (world.balls.size() == 1)
   {
     const std::size_t only = 0;
+    if (!world.pile.ball.empty()) leavePile(world, 0, world.time, end);
     world.balls[only].next_ball = Event();  // another one may have been there
     runTogether(world, {world.time, end, end, &only, 1, false});
   }

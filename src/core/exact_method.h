@@ -19,6 +19,7 @@ struct Window
   const std::size_t* members = nullptr;   ///< indices of balls
   std::size_t count = 0;
   bool sweeps = false;                    ///< note the boxes that the balls sweep
+  std::size_t most_events = ~std::size_t{0};  ///< more than that are not handled
 };
 
 /// Handles all events of these balls up to the end of the window, one after the other; false if there are too many.

@@ -63,7 +63,7 @@ void foresee(WorldState& world, std::size_t i, double t)
 {
   BallRecord& ball = world.balls[i];
   ball.next = Event();
-  if (ball.squeezed) return;
+  if (ball.away()) return;
   ball.next = endOfPath(ball, t);
   if (liesStill(ball)) return;
   Box way = boxOf(ball, t, ball.next.time);
@@ -77,7 +77,7 @@ void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume,
 {
   BallRecord& mine = world.balls[i];
   BallRecord& other = world.balls[k];
-  if (other.squeezed || mine.squeezed || (liesStill(mine) && liesStill(other))) return;
+  if (other.away() || mine.away() || (liesStill(mine) && liesStill(other))) return;
   ++world.islands.pair_searches;
   const double until = std::min(mine.next_ball.time, window_end);
   const double from = std::max({mine.path.start, other.path.start, resume});
@@ -92,7 +92,7 @@ void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end
 {
   BallRecord& ball = world.balls[i];
   ball.next_moving = Event();
-  if (ball.squeezed) return;
+  if (ball.away()) return;
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
     if (world.bodies[b].moving) lookAtMovingBody(ball, world.bodies[b], b, t, window_end, ball.next_moving);
 }

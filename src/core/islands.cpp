@@ -4,6 +4,7 @@
 
 #include "flown.h"
 #include "foresight.h"
+#include "handover.h"
 
 namespace ping_pong
 {
@@ -85,7 +86,7 @@ bool movedAlone(const WorldState& world, std::size_t i)
 bool meet(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
   const BallRecord &a = world.balls[i], &b = world.balls[k];
-  if (a.squeezed || b.squeezed) return false;
+  if (a.away() || b.away()) return false;
   if (a.path.degree == 0 && b.path.degree == 0 && !movedAlone(world, i) && !movedAlone(world, k)) return false;
   return metInFlight(world, window, i, k);
 }
@@ -137,7 +138,8 @@ void dropVoidContacts(WorldState& world, std::size_t first)
   world.origins.resize(kept);
 }
 
-void runIsland(WorldState& world, Window window)
+// False if there is no end of events.
+bool runIsland(WorldState& world, Window window)
 {
   const std::vector<std::size_t>& members = world.islands.members;
   for (std::size_t m = 0; m < members.size(); ++m)
@@ -145,7 +147,8 @@ void runIsland(WorldState& world, Window window)
       foreseeBall(world, members[m], members[n], -kNever, window.end);
   window.members = members.data();
   window.count = members.size();
-  runTogether(world, window);
+  window.most_events = mostEvents(world, members);
+  return runTogether(world, window) || world.status.event_limit;
 }
 
 // Balls that were thrown off their path may sweep into balls outside: joins those. False if there are any.
@@ -161,7 +164,7 @@ bool metNobodyElse(WorldState& world, const Window& window)
   }
   bool nobody = true;
   const auto lookAt = [&](std::size_t i, std::uint32_t k) {
-    if (rootOf(islands, k) == root || world.balls[k].squeezed || !islands.swept[k].overlaps(islands.swept[i])) return;
+    if (rootOf(islands, k) == root || world.balls[k].away() || !islands.swept[k].overlaps(islands.swept[i])) return;
     if (metInFlight(world, window, i, k)) islands.near.push_back(k);
   };
   islands.near.clear();
@@ -185,11 +188,11 @@ bool worthAShorterWindow(const WorldState& world, const Window& window)
 {
   const double m = static_cast<double>(world.islands.members.size());
   const double searches = static_cast<double>(world.islands.pair_searches) + m * m;
-  return window.end - window.start > kShortestWindow &&
+  return window.end - window.start > 1.001 * kShortestWindow &&  // beyond the rounding of its ends
          searches > kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
 }
 
-// False if the island is too large for this window.
+// False if the island is too large for this window, or crowded.
 bool settleIsland(WorldState& world, const Window& window, std::uint32_t first)
 {
   IslandRecords& islands = world.islands;
@@ -198,7 +201,11 @@ bool settleIsland(WorldState& world, const Window& window, std::uint32_t first)
     gatherMembers(islands, first);
     if (worthAShorterWindow(world, window)) return false;
     backToStart(world);
-    runIsland(world, window);
+    if (!runIsland(world, window))
+    {
+      islands.crowded.assign(islands.members.begin(), islands.members.end());
+      return false;
+    }
   } while (!metNobodyElse(world, window));
   islands.settled[rootOf(islands, first)] = true;
   for (const std::size_t i : islands.members)
@@ -270,15 +277,27 @@ void runIslands(WorldState& world, double end)
   for (double start = world.time; start < end;)
   {
     const bool whole = start + 1.5 * islands.length < end;  // else it ends with the tick, whatever its length should be
-    const double window_end = whole ? start + islands.length : end;
+    const double window_end = endOfWindow(world, start, whole ? start + islands.length : end);
+    const std::size_t first_contact = world.contacts.size();
+    if (!world.pile.ball.empty()) joinPile(world, start, window_end);
     islands.pair_searches = 0;
-    const bool done = runWindow(world, {start, window_end, end, nullptr, 0, true});
+    const bool all_piled = world.pile.ball.size() == world.balls.size();
+    const bool done = all_piled || runWindow(world, {start, window_end, end, nullptr, 0, true});
     const double searches = static_cast<double>(islands.pair_searches) / static_cast<double>(world.balls.size());
+    if (!islands.crowded.empty())
+    {
+      passOn(world, islands.crowded, start);
+      islands.crowded.clear();
+      continue;
+    }
     if (!done || searches > kManySearches)
       islands.length = std::max(0.5 * std::min(islands.length, window_end - start), kShortestWindow);
     else if (searches < kFewSearches && (whole || window_end - start >= islands.length))
       islands.length *= searches == 0.0 ? 8.0 : 2.0;
-    if (done) start = window_end;
+    if (!done) continue;
+    movePile(world, start, window_end, end);
+    if (!world.pile.ball.empty()) sortContacts(world, first_contact);
+    start = window_end;
   }
 }
 }  // namespace ping_pong

@@ -6,6 +6,7 @@ namespace ping_pong
 {
 namespace
 {
+constexpr double kPressed = 1e-4;  // overlap that a pile may leave [m]
 constexpr int kMaxPushes = 50;
 
 struct Overlap
@@ -74,6 +75,13 @@ bool hasRoomAmongBodies(const WorldState& world, const Vector3d& p_WB, double ra
   Overlap deepest;
   lookAtBodies(world, p_WB, radius, deepest);
   return deepest.gap >= -kTouching;
+}
+
+bool overlapsABody(const WorldState& world, const Vector3d& p_WB, double radius)
+{
+  Overlap deepest;
+  lookAtBodies(world, p_WB, radius, deepest);
+  return deepest.gap < -kPressed;
 }
 
 std::string describeOverlap(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)

@@ -18,6 +18,8 @@ const char* name(Method method)
       return "rk4";
     case Method::Rk4Located:
       return "rk4_located";
+    case Method::Impulse:
+      return "impulse";
     case Method::Exact:
       return "exact";
     case Method::Auto:

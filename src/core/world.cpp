@@ -6,6 +6,7 @@
 #include "count.h"
 #include "exact_method.h"
 #include "fixed_step.h"
+#include "handover.h"
 #include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/drive.h"
 #include "placement.h"
@@ -24,6 +25,12 @@ constexpr std::size_t kContactsInATick = 256;
 constexpr std::size_t kContactsOfABall = 8;
 constexpr std::size_t kBallsWithContacts = 1000;  // of more balls only so many have a record of their own kept free
 constexpr std::size_t kManyBalls = 32;            // from here on a grid tells which balls may overlap
+
+// Each event of each ball on a path of its own.
+bool eventByEvent(Method method)
+{
+  return method == Method::Exact || method == Method::Rk4Located;
+}
 
 std::string refuseState(const BallState& state)
 {
@@ -103,6 +110,7 @@ void World::Impl::start()
   scene.balls = {};  // they are in `loaded`
   balls.clear();
   balls.reserve(loaded.balls.size());
+  clearPile(pile);
   bodies.clear();
   for (const Body& body : scene.bodies)
   {
@@ -112,7 +120,7 @@ void World::Impl::start()
     bodies.push_back(record);
   }
   for (const SceneBall& ball : loaded.balls) add(ball.params, normalized(ball.state));
-  if (locatesContacts(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
+  if (eventByEvent(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
   planAll();
 }
 
@@ -134,19 +142,28 @@ void World::Impl::makeSpace()
   space_for = space_for == 0 ? balls.size() : std::max(balls.size(), 2 * space_for);
   contacts.reserve(kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
   origins.reserve(contacts.capacity());
-  if (locatesContacts(scene.method) && balls.size() > 1) islands.reserve(space_for);
+  if (eventByEvent(scene.method) && balls.size() > 1) islands.reserve(space_for);
+  if (scene.method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
 }
 
 void World::Impl::planAll()
 {
   makeSpace();
-  if (locatesContacts(scene.method)) restartExact(*this);
+  if (eventByEvent(scene.method)) restartExact(*this);
+  disturbPile(*this);
+  if (scene.method != Method::Impulse || !pile.ball.empty()) return;
+  for (std::uint32_t i = 0; i < balls.size(); ++i) addToPile(*this, i, time);
 }
 
 void World::Impl::planBall(std::size_t index)
 {
   makeSpace();
-  if (locatesContacts(scene.method)) restartBall(*this, index);
+  if (eventByEvent(scene.method)) restartBall(*this, index);
+  if (scene.method != Method::Impulse) return;
+  if (index == pile.ball.size())
+    addToPile(*this, static_cast<std::uint32_t>(index), time);
+  else
+    restatePile(*this, index);
 }
 
 // Neumaier's compensated sum.
@@ -206,26 +223,31 @@ double World::Impl::movePaddles(double end)
 
 void World::Impl::runMethod(double end)
 {
-  if (locatesContacts(scene.method))
+  if (eventByEvent(scene.method))
     runExact(*this, end);
+  else if (scene.method == Method::Impulse)
+    runPile(*this, time, end, scene.dt);
   else
     runFixedStep(*this, end);
 }
 
 // After a body has jumped: balls that it covers are put on its surface, and push on others in turn. Whoever finds no room
-// is squeezed.
+// is squeezed. (In a pile balls may overlap a little, and push each other out.)
 void World::Impl::makeRoom()
 {
   const std::vector<char> overlapping = ballsThatOverlap();
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
+    const bool piled = balls[i].piled || scene.method == Method::Impulse;
     BallState state = balls[i].stateAt(time);
     const double radius = balls[i].params.radius;
-    if (overlapping[i] ? hasRoom(*this, state.p_WB, radius, i) : hasRoomAmongBodies(*this, state.p_WB, radius)) continue;
+    const bool free = piled ? !overlapsABody(*this, state.p_WB, radius)
+                            : overlapping[i] ? hasRoom(*this, state.p_WB, radius, i) : hasRoomAmongBodies(*this, state.p_WB, radius);
+    if (free) continue;
     const bool room = pushOut(*this, state.p_WB, radius, i);  // clear of all others: none is covered that was not
     if (room)
       balls[i].path = flyParabola(state, time, Vector3d::Zero());
-    else
+    else if (!piled)
       squeeze(balls[i], state, time);
   }
 }
@@ -279,6 +301,7 @@ StepStatus World::advance(double duration)
     world.time = next;
     releaseSqueezed(world);
   }
+  world.status.piled = world.pile.ball.size();
   for (const BallRecord& ball : world.balls)
   {
     world.status.squeezed += ball.squeezed;
@@ -309,13 +332,14 @@ BallState World::ballState(std::size_t index) const { return impl_->balls[index]
 bool World::resting(std::size_t index) const
 {
   const BallRecord& ball = impl_->balls[index];
+  if (ball.asleep) return true;
   return !ball.supports.none() && ball.path.degree == 0 && ball.supports.since <= impl_->time;
 }
 
 double World::restingSince(std::size_t index) const
 {
   const BallRecord& ball = impl_->balls[index];
-  return ball.supports.none() ? std::nan("") : ball.supports.since;
+  return ball.supports.none() && !ball.asleep ? std::nan("") : ball.supports.since;
 }
 
 std::size_t World::bodyCount() const { return impl_->bodies.size(); }
@@ -392,6 +416,7 @@ Refusal World::deleteBall(BallId id)
 {
   const std::size_t index = findBall(id);
   if (index == kNone) return {"ball: no ball_" + std::to_string(id)};
+  if (!impl_->pile.ball.empty()) removeFromPile(impl_->pile, static_cast<std::uint32_t>(index));
   impl_->balls.erase(impl_->balls.begin() + static_cast<std::ptrdiff_t>(index));
   return {};
 }
@@ -405,6 +430,7 @@ Refusal World::setBallState(BallId id, const BallState& state)
   BallRecord& ball = impl_->balls[index];
   reason = describeOverlap(*impl_, state.p_WB, ball.params.radius, index);
   if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
+  if (ball.piled) leavePile(*impl_, static_cast<std::uint32_t>(index), impl_->time, impl_->time);
   ball.squeezed = false;
   ball.supports = Supports();
   ball.path = flyParabola(normalized(state), impl_->time, Vector3d::Zero());
@@ -421,6 +447,7 @@ Refusal World::setBodyPose(std::size_t body, const Pose& pose)
   record.command = PaddleCommand();
   placeBody(record, {pose.p, pose.q.normalized()});
   impl_->letGo(body);
+  for (BallRecord& ball : impl_->balls) ball.asleep = false;
   impl_->makeRoom();
   impl_->planAll();
   return {};

@@ -6,6 +6,7 @@
 
 #include "broad_phase.h"
 #include "parabola.h"
+#include "pile.h"
 #include "ping_pong_sim/contact.h"
 #include "ping_pong_sim/detect.h"
 #include "ping_pong_sim/scene.h"
@@ -49,6 +50,10 @@ struct BallRecord
   Segment path;
   Supports supports;
   bool squeezed = false;
+  bool piled = false;   ///< handed over to the pile, see handover.h
+  bool asleep = false;  ///< in the pile, see pile.h
+  int crowding = 0;     ///< contacts with other balls since then, see handover.h
+  double crowded_since = -1e300;  ///< [s]
   double step = 0.0;  ///< length of the next piece of flight through air, 0: unknown [s]
   bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
   Event next;         ///< with still bodies; holds until the path changes
@@ -67,6 +72,8 @@ struct BallRecord
     : id(its_id), params(its_params), model(forces, its_params)
   {
   }
+  /// The exact method has nothing to do with it.
+  bool away() const { return squeezed || piled; }
   BallState stateAt(double time) const { return path.state(time - path.start); }
 };
 
@@ -143,6 +150,7 @@ struct IslandRecords
   std::vector<Piece> pieces;               ///< flown in this window, see flown.h
   std::vector<std::uint32_t> last_piece;   ///< index in `pieces`, by ball
   std::vector<Place> order;                ///< of the window's contacts
+  std::vector<std::uint32_t> crowded;      ///< balls of an island with events without end, see handover.h
 
   /// Takes the memory for so many balls now, not while the world moves on.
   void reserve(std::size_t balls);
@@ -165,6 +173,7 @@ struct WorldState
   StepStatus status;
   bool any_moving = false;                ///< any body, in this window
   IslandRecords islands;
+  Pile pile;
 
   const Surface& surface(const BallRecord& ball, const Shape& shape) const
   {

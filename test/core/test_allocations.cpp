@@ -187,7 +187,7 @@ std::vector<long> allocationsOf(const Case& what, Method method)
   scene.method = method;
   World world(scene);
   std::vector<long> taken(100);
-  bool happened = !locatesContacts(method);
+  bool happened = !locatesContacts(method) || method == Method::Impulse;  // which tells of rest when a ball sleeps
   for (int i = 0; i < 100; ++i)
   {
     if (what.command) world.command(world.bodyCount() - 1, what.command(i));
@@ -227,6 +227,7 @@ TEST(Allocations, RecordsOfABusyTickKeepTheirMemory)
 {
   for (const Method method : kMethods)
   {
+    if (method == Method::Impulse) continue;  // reports as many impacts as there is room for
     Scene scene = crowd();
     scene.method = method;
     World world(scene);

@@ -552,7 +552,7 @@ const BadScene kBadScenes[] = {
     {"no such file", "box.urdf", "../no.urdf", 6, "bodies[0].urdf", "../no.urdf", "a readable URDF file, but /"},
     // words
     {"method", "euler_semi_implicit", "magic", 30, "method", "magic",
-     "one of: euler_explicit, euler_semi_implicit, verlet, rk4, rk4_located, exact, auto"},
+     "one of: euler_explicit, euler_semi_implicit, verlet, rk4, rk4_located, impulse, exact, auto"},
     {"kind", "kind: static", "kind: dynamic", 7, "bodies[0].kind", "dynamic", "static or kinematic"},
     {"limits of furniture", "    kind: static\n", "    kind: static\n    limits: {}\n", 8, "bodies[0].limits", "a map",
      "no limits unless"},

@@ -1,0 +1,158 @@
+#include "handover.h"
+
+#include <algorithm>
+
+#include "contact_mode.h"
+#include "foresight.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr int kCrowded = 150;         // contacts of a ball with others,
+constexpr double kCrowdTime = 0.2;    // within this time, make it join [s]
+constexpr double kLongestStep = 2e-3; // of the pile, unless the scene's dt is shorter [s]
+constexpr float kFreeFor = 0.02f;     // without touching another ball, before a ball goes back [s]
+constexpr double kFreeRoom = 0.25;    // and so much room to other balls, in radii
+constexpr double kNear = 5e-4;        // room to a ball of the pile that is no room [m]
+
+double stepOf(const WorldState& world) { return std::min(world.scene.dt, kLongestStep); }
+
+void join(WorldState& world, std::uint32_t i, double t)
+{
+  BallRecord& ball = world.balls[i];
+  ball.path = flyParabola(ball.stateAt(t), t, Vector3d::Zero());
+  ball.supports = Supports();
+  ball.next = ball.next_moving = ball.next_ball = Event();
+  ++ball.version;  // what others foresaw with it is void
+  ball.piled = true;
+  ball.asleep = false;
+  ball.crowding = 0;
+  addToPile(world, i, t);
+}
+
+// A cube around the ball, as large as it and others can come nearer in the window.
+Box boxAround(const BallRecord& ball, double start, double end)
+{
+  const double T = end - start;
+  const double a = ball.piled ? 0.0 : ball.path.accelerationBound();
+  const Vector3d p = ball.path.position(start - ball.path.start);
+  const double speed = ball.path.velocity(start - ball.path.start).norm();
+  const double reach = ball.params.radius + T * (speed + 0.5 * T * a) + kNear;
+  Box box;
+  box.low = p.array() - reach;
+  box.high = p.array() + reach;
+  return box;
+}
+
+// Joins whoever is near, and who is near them, and so on.
+void spread(WorldState& world, double start)
+{
+  IslandRecords& islands = world.islands;
+  for (std::size_t first = 0; first < islands.near.size(); ++first)
+  {
+    islands.broad_phase.findOverlapping(islands.alone[islands.near[first]], islands.alone, islands.found);
+    std::sort(islands.found.begin(), islands.found.end());
+    for (const std::uint32_t k : islands.found)
+    {
+      if (world.balls[k].away()) continue;
+      join(world, k, start);
+      islands.near.push_back(k);
+    }
+  }
+}
+
+// Whether no other ball is near, by the links of the pile.
+bool roomAround(const Pile& pile, std::uint32_t slot)
+{
+  if (pile.links_void) return false;
+  for (std::uint32_t l = pile.first_link[slot]; l != Pile::kEndOfChain; l = pile.chain[l / 2][l % 2])
+  {
+    const PairLink& link = pile.pairs[l / 2];
+    const double room = (pile.p[link.a] - pile.p[link.b]).norm() - pile.radius(link.a) - pile.radius(link.b);
+    if (room < kFreeRoom * pile.radius(slot)) return false;
+  }
+  return true;
+}
+
+void letGoWhoIsFree(WorldState& world, double t, double smooth_until)
+{
+  const Pile& pile = world.pile;
+  std::vector<std::uint32_t>& free = world.islands.near;
+  free.clear();
+  for (const std::uint32_t slot : pile.awake)
+    if (pile.untouched[slot] > kFreeFor && roomAround(pile, slot)) free.push_back(pile.ball[slot]);
+  for (const std::uint32_t ball : free) leavePile(world, ball, t, smooth_until);
+}
+}  // namespace
+
+void countCrowding(BallRecord& ball, double t)
+{
+  if (t - ball.crowded_since > kCrowdTime)
+  {
+    ball.crowded_since = t;
+    ball.crowding = 0;
+  }
+  ++ball.crowding;
+}
+
+std::size_t mostEvents(const WorldState& world, const std::vector<std::size_t>& balls)
+{
+  for (const std::size_t i : balls)
+    if (world.surface(world.balls[i], world.balls[i]).restitution == 1.0) return ~std::size_t{0};
+  return static_cast<std::size_t>(kCrowded) * balls.size();
+}
+
+void passOn(WorldState& world, const std::vector<std::uint32_t>& balls, double t)
+{
+  for (const std::uint32_t i : balls)
+    if (!world.balls[i].away()) join(world, i, t);
+}
+
+double endOfWindow(const WorldState& world, double start, double end)
+{
+  const Pile& pile = world.pile;
+  if (pile.ball.empty() || (pile.awake.empty() && !pile.active_void)) return end;
+  const double step = stepOf(world);
+  return start + 1.5 * step < end ? start + step : end;
+}
+
+void joinPile(WorldState& world, double start, double end)
+{
+  if (world.pile.ball.size() == world.balls.size()) return;
+  IslandRecords& islands = world.islands;
+  islands.alone.clear();
+  for (const BallRecord& ball : world.balls) islands.alone.push_back(boxAround(ball, start, end));
+  islands.near.clear();
+  for (const BroadPhase::Pair& pair : islands.broad_phase.findPairs(islands.alone))
+    for (const auto& [mine, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)})
+      if (world.balls[mine].piled && !world.balls[other].away())
+      {
+        join(world, other, start);
+        islands.near.push_back(other);
+      }
+  spread(world, start);
+}
+
+void movePile(WorldState& world, double start, double end, double smooth_until)
+{
+  if (!world.pile.ball.empty())
+  {
+    runPile(world, start, end, stepOf(world));
+    letGoWhoIsFree(world, end, smooth_until);
+  }
+  for (std::uint32_t i = 0; i < world.balls.size(); ++i)
+    if (world.balls[i].crowding > kCrowded && !world.balls[i].away()) join(world, i, end);
+}
+
+void leavePile(WorldState& world, std::uint32_t i, double t, double smooth_until)
+{
+  BallRecord& ball = world.balls[i];
+  const BallState state = ball.stateAt(t);
+  dropFromPile(world.pile, i);
+  ball.piled = ball.asleep = false;
+  planPath(world, ball, state, t, smooth_until);
+  foresee(world, i, t);
+  if (world.any_moving) foreseeMoving(world, i, t, smooth_until);
+}
+}  // namespace ping_pong

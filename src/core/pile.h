@@ -1,0 +1,213 @@
+// Balls that are stepped together with the contact solver of method `impulse`: what it keeps of them, as compact records.
+//
+// Everything is done in the order of these lists, which follows from the states alone: the same bits on every run. Threads can
+// keep them: balls, searches and links are independent of each other, and the solver's list of touches can be coloured in its
+// order each time the links are built, so that touches of one colour share no ball.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ping_pong_sim/forces.h"
+#include "ping_pong_sim/types.h"
+
+namespace ping_pong
+{
+struct WorldState;
+
+/// What balls of one make have in common.
+struct BallKind
+{
+  BallParams params;
+  FlightModel model;
+  Vector3d a = Vector3d::Zero();  ///< acceleration in flight, if it is constant [m/s^2]
+  double spin_per_impulse = 0.0;  ///< 1 / (k r): spin is this times impulse / mass [1/m]
+  double inverse_mass = 0.0;      ///< [1/kg]
+  double give = 0.0;              ///< 1 + 1/k: slip of the touching point is this times impulse / mass
+};
+
+/// How a ball moves. One cache line.
+struct alignas(64) Mover
+{
+  Vector3d v = Vector3d::Zero();  ///< [m/s]
+  Vector3d w = Vector3d::Zero();  ///< spin [rad/s]
+  double clock = 0.0;             ///< of its last impact, from the start of the step [s]
+  std::uint32_t stamp = 0;        ///< when it last changed, on the counter of the pile
+  std::uint16_t kind = 0;
+  std::uint8_t impacts = 0;       ///< in this step
+  bool asleep : 1;
+  bool loaded : 1;                ///< something carries it: forces act with the contacts, not before them
+  bool was_loaded : 1;            ///< at the start of the step
+  bool half_owed : 1;             ///< forces of the last half step are still to act
+  bool kept_awake : 1;            ///< by a neighbour that is not still
+
+  Mover() : asleep(false), loaded(false), was_loaded(false), half_owed(false), kept_awake(false) {}
+};
+
+static_assert(sizeof(Mover) == 64, "one cache line");
+
+/// Two balls that may touch soon, or a ball and a shape, with the impulses that acted between them in the last step.
+struct Push
+{
+  float normal = 0.0f;                        ///< >= 0 [N s]
+  Eigen::Vector3f tangent{0.0f, 0.0f, 0.0f};  ///< of friction [N s]
+};
+
+struct PairLink
+{
+  std::uint32_t a, b;   ///< slots; normals point from b to a
+  Push push;
+  float held = -1.0f;   ///< normal force when one of them fell asleep; < 0: unknown [N]
+};
+
+struct BodyLink
+{
+  std::uint32_t ball;
+  std::uint16_t body, shape;
+  Push push;
+};
+
+/// A link in touch, as the solver needs it.
+struct Touch
+{
+  Eigen::Vector3f n;         ///< unit normal, to the (first) ball
+  float target;              ///< least normal velocity of the first relative to the second [m/s]
+  float normal_mass, slip_mass, friction;
+  float inverse_a, inverse_b;  ///< 1 / mass, 0 while asleep [1/kg]
+  std::uint32_t link, a, b;  ///< index of the link, slots of its balls (b only if there are two)
+  Push push;
+};
+
+struct BodyTouch : Touch
+{
+  Eigen::Vector3f u;         ///< velocity of the touched point of the body [m/s]
+  bool moving;               ///< link of a moving body
+  std::uint16_t material;
+};
+
+/// An impact in this step, if nothing happens to its balls before.
+struct ImpactAhead
+{
+  double time;                ///< from the start of the step [s]
+  std::uint32_t link;         ///< 3 times the index of the link, plus 0: of two balls, 1: with a still body, 2: with a moving one
+  std::uint32_t made;         ///< on the counter of the pile
+};
+
+/// Cells of a uniform grid with the balls in each, by the boxes that they may sweep.
+struct PileGrid
+{
+  struct Entry
+  {
+    Eigen::Vector3f centre, half;  ///< of the box of a ball, from the origin of the grid [m]
+    std::uint32_t slot;
+  };
+  Vector3d origin = Vector3d::Zero();
+  double cells_per_metre = 1.0;
+  float large_edge = 0.0f;           ///< boxes with a longer edge are not in the cells [m]
+  std::array<int, 3> count{1, 1, 1};
+  std::vector<std::uint32_t> start;  ///< of each cell in `entries`
+  std::vector<std::uint32_t> cell;   ///< of each ball
+  std::vector<Entry> entries;        ///< by cell
+  std::vector<Entry> large;
+  std::vector<Entry> strays;         ///< balls that have left their box since, with their new one
+
+  int cellAt(double x, int axis) const;
+};
+
+struct Pile
+{
+  static constexpr std::uint32_t kEndOfChain = ~0u;
+
+  // One for each ball ("slot").
+  std::vector<std::uint32_t> ball;      ///< its index in WorldState::balls
+  std::vector<Mover> movers;
+  std::vector<Vector3d> p;              ///< where it is; within a step where the path that it now has would have begun [m]
+  std::vector<Quaterniond> q;
+  std::vector<Vector3d> a;              ///< acceleration, where it is not constant [m/s^2]
+  std::vector<Vector3d> home;           ///< where it was when the links were built [m]
+  std::vector<Eigen::Vector3f> sweep;   ///< way that the links cover from there, and by the margin around it [m]
+  std::vector<Eigen::Vector3f> anchor;  ///< place that it has not left for the time `still`, from home [m]
+  std::vector<float> still;             ///< [s]
+  std::vector<float> untouched;         ///< time since it touched another ball [s]
+
+  std::vector<BallKind> kinds;
+  std::vector<PairLink> pairs;
+  std::vector<BodyLink> bodies;         ///< with still bodies
+  std::vector<BodyLink> moving;         ///< with moving bodies, for this step
+  std::vector<std::uint32_t> awake;     ///< slots
+  std::vector<std::uint32_t> active_pairs, active_bodies;  ///< links with an end that is awake
+  std::vector<Touch> touches;
+  std::vector<BodyTouch> body_touches;
+  std::vector<std::uint32_t> waking;    ///< slots to wake up at the end of the step
+  std::vector<std::uint32_t> first_link;             ///< of each ball: twice its index in `pairs`, and 1 if the ball is b
+  std::vector<std::array<std::uint32_t, 2>> chain;   ///< of each pair: the next link of a, of b
+  std::vector<std::uint32_t> first_body, body_chain; ///< of each ball its first link in `bodies`; of each link the next
+  std::vector<ImpactAhead> ahead;                    ///< heap, the next one on top
+  std::vector<PairLink> old_pairs;
+  std::vector<BodyLink> old_bodies;
+  PileGrid grid;
+  float margin = 0.0f;                  ///< of the links [m]
+  std::uint32_t counter = 1;            ///< goes up with every impact and every sweep over touches
+  std::uint32_t steps = 0;
+  std::uint32_t step_mark = 0;          ///< the counter at the start of the step
+  unsigned body_versions = 0;           ///< sum, when the links were built
+  bool links_void = true;
+  bool active_void = true;
+  double h = 0.0;                       ///< length of the step [s]
+  double start = 0.0;                   ///< of the step [s]
+  std::size_t squeezed = 0;             ///< balls deep in a body at the start of this step
+  double least_impact = 0.0;            ///< slower is no impact but a contact [m/s]
+
+  const Vector3d& flightAcceleration(std::size_t i) const { return a.empty() ? kinds[movers[i].kind].a : a[i]; }
+  /// On its path within the step, before contacts: what carries a ball also bears its weight.
+  Vector3d pathAcceleration(std::size_t i) const
+  {
+    return movers[i].loaded || movers[i].asleep ? Vector3d(Vector3d::Zero()) : flightAcceleration(i);
+  }
+  double inverseMass(std::size_t i) const { return movers[i].asleep ? 0.0 : kinds[movers[i].kind].inverse_mass; }
+  double radius(std::size_t i) const { return kinds[movers[i].kind].params.radius; }
+  const BallParams& params(std::size_t i) const { return kinds[movers[i].kind].params; }
+
+  void wake(std::size_t i);
+};
+
+/// Takes a ball of the world in, at its state then.
+void addToPile(WorldState& world, std::uint32_t ball, double time);
+/// Takes it out, and wakes up who lay on it.
+void dropFromPile(Pile& pile, std::uint32_t ball);
+/// The same before the ball leaves WorldState::balls, where later ones move up.
+void removeFromPile(Pile& pile, std::uint32_t ball);
+/// Takes over the states of all balls that it has, and wakes them up: bodies or balls have been put elsewhere.
+void disturbPile(WorldState& world);
+/// Takes over the state of a ball that is in the pile, and wakes it up.
+void restatePile(WorldState& world, std::size_t slot);
+void clearPile(Pile& pile);
+/// Takes the memory for so many balls now, not while the world moves on.
+void reservePile(Pile& pile, std::size_t balls, bool constant_forces);
+/// Turns by a rotation vector [rad]: closed form, without trigonometry where it is short.
+void turnBall(Quaterniond& q, const Vector3d& turn);
+/// Puts the state of a ball into its record.
+void storeBall(WorldState& world, std::size_t slot, double time);
+/// Wakes up balls that touch a sphere, or nearly.
+void wakeNear(Pile& pile, const Vector3d& p_WB, double radius);
+
+/// Steps of equal length from `start` to `end`; then writes the states of balls that have moved into the records of the
+/// world.
+void runPile(WorldState& world, double start, double end, double longest_step);
+
+// --- parts of a step, in this order ---
+
+/// Which balls and shapes may touch in this step: links them anew if a ball may leave the way that the links cover.
+void updateLinks(WorldState& world);
+/// The same for two balls that an impact has thrown off their way; true if the links are new.
+bool updateLinksAfterImpact(WorldState& world, std::uint32_t a, std::uint32_t b);
+/// Lists of what is awake, if anybody fell asleep or woke up.
+void updateActive(Pile& pile);
+/// Impacts in the step: located on the paths, resolved one by one, the next one first.
+void resolveImpacts(WorldState& world);
+/// Contacts that carry load: velocities such that nothing is pressed into another, with friction.
+void solveContacts(WorldState& world);
+/// Balls that have not moved for a while and whom nobody disturbs fall asleep; whom somebody disturbs wakes up.
+void settlePile(WorldState& world);
+}  // namespace ping_pong

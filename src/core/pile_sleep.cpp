@@ -1,0 +1,75 @@
+// Who sleeps is not computed: balls fall asleep one by one, and wake up one by one, as far as a disturbance reaches.
+#include "pile.h"
+#include "world_state.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr float kStillFor = 0.25f;      // a ball that has not left its place for so long may fall asleep [s],
+constexpr float kPlace = 1e-4f;         // which is a sphere of this radius [m]
+constexpr double kStillSpeed = 5e-3;    // and neither moves nor spins at its rim faster than this [m/s]
+constexpr std::uint32_t kEvery = 16;    // steps
+constexpr double kNear = 1e-3;          // [m]
+
+bool still(const Pile& pile, std::size_t i)
+{
+  const Mover& mover = pile.movers[i];
+  return pile.still[i] > kStillFor && !mover.kept_awake && mover.v.squaredNorm() < kStillSpeed * kStillSpeed &&
+         mover.w.norm() * pile.radius(i) < kStillSpeed;
+}
+
+void sleep(WorldState& world, std::size_t i)
+{
+  Pile& pile = world.pile;
+  Mover& mover = pile.movers[i];
+  mover.asleep = mover.loaded = true;
+  mover.v.setZero();
+  mover.w.setZero();
+  pile.active_void = true;
+  BallRecord& ball = world.balls[pile.ball[i]];
+  ball.asleep = true;
+  ball.supports.since = pile.start + pile.h - static_cast<double>(pile.still[i]);
+  storeBall(world, i, pile.start + pile.h);
+}
+
+// A neighbour that is not still yet keeps a ball awake.
+void keepAwake(Pile& pile)
+{
+  for (const std::uint32_t i : pile.awake) pile.movers[i].kept_awake = false;
+  for (const Touch& touch : pile.touches)
+  {
+    if (pile.movers[touch.a].asleep || pile.movers[touch.b].asleep) continue;
+    const bool a = pile.still[touch.a] > kStillFor, b = pile.still[touch.b] > kStillFor;
+    if (a == b) continue;
+    pile.movers[a ? touch.a : touch.b].kept_awake = true;
+  }
+}
+}  // namespace
+
+void Pile::wake(std::size_t i)
+{
+  Mover& mover = movers[i];
+  if (!mover.asleep) return;
+  mover.asleep = false;
+  mover.loaded = mover.was_loaded = true;
+  still[i] = 0.0f;
+  active_void = true;
+}
+
+void wakeNear(Pile& pile, const Vector3d& p_WB, double radius)
+{
+  for (std::size_t i = 0; i < pile.p.size(); ++i)
+    if ((pile.p[i] - p_WB).norm() < radius + pile.radius(i) + kNear) pile.wake(i);
+}
+
+void settlePile(WorldState& world)
+{
+  Pile& pile = world.pile;
+  for (const std::uint32_t i : pile.waking) pile.wake(i);
+  if (++pile.steps % kEvery != 0) return;
+  keepAwake(pile);
+  for (const std::uint32_t i : pile.awake)
+    if (still(pile, i)) sleep(world, i);
+}
+}  // namespace ping_pong
