@@ -13,7 +13,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMostImpacts = 32;     // of one ball in one step; what is left is up to the contacts
+constexpr int kMostImpacts = 4;      // of one ball in one step; what is left is up to the contacts
 constexpr int kMostMarchSteps = 20;  // of a search for the time of an impact
 
 Vector3d placeAt(const Pile& pile, std::size_t i, double t)
