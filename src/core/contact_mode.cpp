@@ -210,13 +210,6 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
 }
 }  // namespace
 
-bool bouncingEnds(double rate, double press, double touch_tolerance)
-{
-  if (press <= 0.0) return false;
-  const double lift = std::max(kLift, kLiftInTolerances * touch_tolerance);
-  return rate <= kNoHopSpeed || rate * rate < 2.0 * press * lift;
-}
-
 double timeOfRemainingBounces(double rate, double press, double restitution)
 {
   return restitution < 1.0 ? 2.0 * rate / (press * (1.0 - restitution)) : 0.0;

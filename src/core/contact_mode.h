@@ -1,16 +1,26 @@
 // Contact mode of the exact method: from bouncing to lying on a surface, and the path on it.
 #pragma once
 
+#include <algorithm>
+
 #include "world_state.h"
 
 namespace ping_pong
 {
+inline constexpr double kLift = 1e-12;             ///< height of bounces that no longer count [m]
+inline constexpr double kLiftInTolerances = 32.0;  ///< or this many touch tolerances, far from the origin
+
 /// Decides when bouncing has ended: all bounces still to come, taken together, lift the ball by less than 1e-12 m. Their
 /// time is summed in closed form: no bounce is lost from the clock. Far from the origin, where coordinates are coarser, the
 /// height is 32 touch tolerances.
 /// @param rate  speed away from the surface after the bounce [m/s]
 /// @param press  acceleration into the surface, > 0 [m/s^2]
-bool bouncingEnds(double rate, double press, double touch_tolerance);
+inline bool bouncingEnds(double rate, double press, double touch_tolerance)
+{
+  if (press <= 0.0) return false;
+  const double lift = std::max(kLift, kLiftInTolerances * touch_tolerance);
+  return rate <= kNoHopSpeed || rate * rate < 2.0 * press * lift;
+}
 
 /// Time of all bounces to come: flights 2 v/a with v falling by e each time, 2 v / (a (1 - e)) [s]; 0 for e = 1, where
 /// it would never end.

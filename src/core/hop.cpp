@@ -94,8 +94,9 @@ bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Groun
   BallRecord& ball = world.balls[i];
   const double t = ball.next.time;
   const double s = t - ball.path.start;
-  const Vector3d p = ball.path.position(s);
-  const Vector3d before = ball.path.velocity(s);
+  const auto& c = ball.path.c;
+  const Vector3d p = c[0] + s * (c[1] + s * c[2]);
+  const Vector3d before = c[1] + (2.0 * s) * c[2];
   const double closing = -ground.n.dot(before);
   if (!(closing > 0.0) || slips(ground, before)) return false;
   const Vector3d after = before + ((1.0 + ground.law.restitutionAt(closing)) * closing) * ground.n;
@@ -122,13 +123,13 @@ bool hop(WorldState& world, const Window& window, std::size_t i)
   if (!hopsOn(world, ball, ball.next)) return false;
   const Event first = ball.next;
   const Ground ground = groundOf(world, ball, first);
-  if (!hopOnce(world, window, i, ground)) return false;
   const std::size_t most = window.count == 1 ? kHopsAtATime : 1;
-  for (std::size_t hops = 1; hops < most && ball.next.time <= window.end && onTheSame(ball.next, first); ++hops)
+  std::size_t hops = 0;
+  while (hopOnce(world, window, i, ground))
   {
-    if (!hopOnce(world, window, i, ground)) break;
-    ++world.status.events;
+    if (++hops > 1) ++world.status.events;
+    if (hops == most || !(ball.next.time <= window.end) || !onTheSame(ball.next, first)) break;
   }
-  return true;
+  return hops > 0;
 }
 }  // namespace ping_pong
