@@ -46,7 +46,8 @@ void store(BallRecord& ball, const BallState& state)
 // A ball that lies falls anew in every step, by what gravity adds in one: that is no impact to be reported.
 bool worthAReport(const WorldState& world, double closing, double h)
 {
-  return closing * closing > 4.0 * h * h * world.scene.forces.gravity.squaredNorm();
+  constexpr double kRounding = 1e-3;
+  return closing * closing > (1.0 + kRounding) * h * h * world.scene.forces.gravity.squaredNorm();
 }
 
 // A new record of what happens to the ball now, with its velocities before.
