@@ -34,17 +34,21 @@ void BroadPhase::reserve(std::size_t boxes)
 
 void BroadPhase::layOut(const std::vector<Box>& boxes)
 {
-  const double n = static_cast<double>(boxes.size());
+  double n = 0.0;
   Vector3d sum = Vector3d::Zero();
   double edge = 0.0;
   for (const Box& box : boxes)
   {
+    if (box.empty()) continue;
+    n += 1.0;
     sum += box.low;
     edge += (box.high - box.low).maxCoeff();
   }
+  n = std::max(n, 1.0);
   const Vector3d mean = sum / n;
   Vector3d square = Vector3d::Zero();
-  for (const Box& box : boxes) square += (box.low - mean).cwiseAbs2();
+  for (const Box& box : boxes)
+    if (!box.empty()) square += (box.low - mean).cwiseAbs2();
   const Vector3d half = kSpread * (square / n).cwiseSqrt();
   origin_ = mean - half;
   double size = std::max(kCellInBoxes * edge / n, 1e-9);
@@ -61,6 +65,7 @@ void BroadPhase::layOut(const std::vector<Box>& boxes)
 
 BroadPhase::Range BroadPhase::cellsOf(const Box& box) const
 {
+  if (box.empty()) return {{0, 0, 0}, {-1, -1, -1}};
   Range range;
   for (int i = 0; i < 3; ++i)
   {

@@ -15,6 +15,8 @@ struct Box
   Vector3d low = Vector3d::Constant(1e300);
   Vector3d high = Vector3d::Constant(-1e300);
 
+  /// As it is made: it overlaps nothing.
+  bool empty() const { return !(low.x() <= high.x()); }
   bool overlaps(const Box& other) const
   {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();

@@ -122,15 +122,20 @@ void joinPile(WorldState& world, double start, double end)
   if (world.pile.ball.size() == world.balls.size()) return;
   IslandRecords& islands = world.islands;
   islands.alone.clear();
-  for (const BallRecord& ball : world.balls) islands.alone.push_back(boxAround(ball, start, end));
+  for (const BallRecord& ball : world.balls)
+    islands.alone.push_back(ball.away() ? Box() : boxAround(ball, start, end));
+  islands.broad_phase.findPairs(islands.alone);
   islands.near.clear();
-  for (const BroadPhase::Pair& pair : islands.broad_phase.findPairs(islands.alone))
-    for (const auto& [mine, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)})
-      if (world.balls[mine].piled && !world.balls[other].away())
-      {
-        join(world, other, start);
-        islands.near.push_back(other);
-      }
+  for (const std::uint32_t piled : world.pile.ball)
+  {
+    islands.broad_phase.findOverlapping(boxAround(world.balls[piled], start, end), islands.alone, islands.found);
+    std::sort(islands.found.begin(), islands.found.end());
+    for (const std::uint32_t other : islands.found)
+      if (!world.balls[other].away()) islands.near.push_back(other);
+  }
+  std::sort(islands.near.begin(), islands.near.end());
+  islands.near.erase(std::unique(islands.near.begin(), islands.near.end()), islands.near.end());
+  for (const std::uint32_t other : islands.near) join(world, other, start);
   spread(world, start);
 }
 

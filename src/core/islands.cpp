@@ -65,6 +65,11 @@ void runAlone(WorldState& world, Window window, std::size_t i)
   ball.met = false;
   ball.run = 0;
   ball.next_ball = Event();
+  if (ball.away())
+  {
+    world.islands.alone[i] = world.islands.swept[i] = Box();
+    return;
+  }
   if (soonest(ball).time <= window.end)
   {
     save(world, i);
