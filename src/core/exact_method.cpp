@@ -141,7 +141,8 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   const Surface law = lawOf(world, ball, body, shape);
   const BallState before = state;
   bounce(law, ball.params, state, u, gap.n_W);
-  if (worthAReport(ball, -gap.rate)) recordBodyContact(world, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB}, gap.n_W, u, t);
+  if (worthAReport(ball, -gap.rate))
+    recordBodyContact(world, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB}, gap.n_W, u, t);
   settle(world, ball, event, law, frame, state, gap.n_W.dot(state.v_WB - u), t);
   restart(world, window, i, state, t);
 }

@@ -1,4 +1,4 @@
-// The commonest event of all at a tenth of its price: a ball that does not spin bounces on a still plane, without slip or
+// The commonest event of all at a third of its price: a ball that does not spin bounces on a still plane, without slip or
 // without friction, under constant acceleration, with nothing else in its way. Only one component of its velocity changes, and the
 // next bounce is a closed form away. The operations are those of the general way, in the same order: the bits are the same.
 #pragma once

@@ -15,7 +15,6 @@ namespace
 constexpr double kFastest = 1e8;       // [m/s]
 constexpr double kNoImpact = 1e-9;     // slower is no impact: without any force [m/s],
 constexpr double kImpactInSteps = 2.0; // and else what gravity adds in so many steps
-constexpr float kPlace = 1e-4f;     // as in pile_sleep.cpp [m]
 constexpr std::size_t kLinks = 8;   // room for so many links a ball from the start
 
 bool same(const BallParams& a, const BallParams& b)
