@@ -48,6 +48,7 @@ foreach(name
     large_numbers
     tunnelling
     million_hits
+    air_contacts
     many_balls
     cradle
     corner

@@ -1,6 +1,6 @@
 // Compares the models with measurements, and tells what each effect is worth.
 //
-// usage: validate [--data DIR] [--out DIR]   writes CSV files into DIR
+// usage: validate [--data DIR] [--scene FILE] [--out DIR]   writes CSV files into DIR
 //        validate [--data DIR] --check       fails if a model is outside its bounds; a few seconds
 #include <cstdio>
 #include <cstring>
@@ -16,6 +16,7 @@ namespace
 struct Options
 {
   std::string data = "test/data";
+  std::string scene = "config/scenes/rally.yaml";
   std::string out = ".";
   bool check = false;
 };
@@ -66,6 +67,7 @@ void writeAll(const Options& options)
   writeFlights(flights, options.out);
   writeChoiceOfConstants(flights, options.out);
   writeOmissions(readLaunches(options.data), options.out);
+  writeRallyCosts(options.scene, options.out);
 }
 
 int run(int argc, char** argv)
@@ -77,11 +79,13 @@ int run(int argc, char** argv)
       options.check = true;
     else if (std::strcmp(argv[i], "--data") == 0 && i + 1 < argc)
       options.data = argv[++i];
+    else if (std::strcmp(argv[i], "--scene") == 0 && i + 1 < argc)
+      options.scene = argv[++i];
     else if (std::strcmp(argv[i], "--out") == 0 && i + 1 < argc)
       options.out = argv[++i];
     else
     {
-      std::fprintf(stderr, "validate: %s: expected --data DIR, --out DIR or --check\n", argv[i]);
+      std::fprintf(stderr, "validate: %s: expected --data DIR, --scene FILE, --out DIR or --check\n", argv[i]);
       return 2;
     }
   }

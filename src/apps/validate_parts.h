@@ -48,4 +48,6 @@ void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::strin
 // --- what to leave out ---
 
 void writeOmissions(const std::vector<Launch>& launches, const std::string& out);
+/// What the air costs in a whole scene: the shots of the ball launcher in this one, with its forces and with gravity alone.
+void writeRallyCosts(const std::string& scene_file, const std::string& out);
 }  // namespace ping_pong

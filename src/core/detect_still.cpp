@@ -1,5 +1,6 @@
 // First contact with a shape that does not move: the path is taken into the shape's frame once, and searched there.
 #include "count.h"
+#include "descent.h"
 #include "fall_on_plane.h"
 #include "proximity_here.h"
 
@@ -7,25 +8,9 @@ namespace ping_pong
 {
 namespace
 {
-double hornerScalar(const double* c, int degree, double s)
+double mostAlong(const Vector3d& n, const Vector3d& a_low, const Vector3d& a_high)
 {
-  double sum = c[degree];
-  for (int k = degree - 1; k >= 0; --k) sum = sum * s + c[k];
-  return sum;
-}
-
-double slopeScalar(const double* c, int degree, double s)
-{
-  double sum = 0.0;
-  for (int k = degree; k >= 1; --k) sum = sum * s + k * c[k];
-  return sum;
-}
-
-double curvatureScalar(const double* c, int degree, double s)
-{
-  double sum = 0.0;
-  for (int k = degree; k >= 2; --k) sum = sum * s + k * (k - 1) * c[k];
-  return sum;
+  return n.cwiseProduct(a_low).cwiseMax(n.cwiseProduct(a_high)).sum();
 }
 
 // Only the height above the plane matters.
@@ -33,16 +18,13 @@ Detection meetPlane(const Segment& path, double radius, const Shape& shape, doub
 {
   const Vector3d n = shape.R_BS.col(2);
   if (path.degree == 2) return fallOnPlane(path, radius, n, shape, from, until);
-  double height[Segment::kMaxDegree + 1];
-  height[0] = n.dot(path.c[0] - shape.p_BS) - radius;
-  for (int k = 1; k <= path.degree; ++k) height[k] = n.dot(path.c[k]);
-  const double least = leastAlong(n, path.a_low, path.a_high);
-  const auto at = [&](double t) {
-    const double s = t - path.start;
-    return Look{hornerScalar(height, path.degree, s), slopeScalar(height, path.degree, s), least};
-  };
-  const auto presses = [&](double t) { return curvatureScalar(height, path.degree, t - path.start) < 0.0; };
-  return march(at, presses, from, until, touchTolerance(path.position(from - path.start), radius));
+  Height height;
+  height.degree = path.degree;
+  height.c[0] = n.dot(path.c[0] - shape.p_BS) - radius;
+  for (int k = 1; k <= path.degree; ++k) height.c[k] = n.dot(path.c[k]);
+  height.least_bend = leastAlong(n, path.a_low, path.a_high);
+  height.most_bend = mostAlong(n, path.a_low, path.a_high);
+  return comesDown(height, path.start, from, until, touchTolerance(path.position(from - path.start), radius));
 }
 
 // The path in the frame of the shape.
@@ -62,28 +44,65 @@ Segment seenFrom(const Shape& shape, const Segment& path)
   return seen;
 }
 
-// Whether one coordinate y + u s + (at least a_low, at most a_high) s^2 / 2 stays outside of [-limit, limit] up to s = T.
-bool staysOutside(double y, double u, double a_low, double a_high, double limit, double T)
+// How far beyond each pair of faces of the shape's bounding box the ball is; negative where it is between them.
+Vector3d beyondFaces(const Vector3d& y, double radius, const Shape& shape)
 {
-  const double side = y < 0.0 ? -1.0 : 1.0;
-  const double gap = side * y - limit;
-  return gap > 0.0 && !(safeStep(gap, side * u, side > 0.0 ? a_low : -a_high) <= T);
+  return y.cwiseAbs() - shape.half_size - Vector3d::Constant(radius);
 }
 
-bool passesBy(const Segment& seen, double radius, const Shape& shape, double from, double until)
+// Height above the face of the bounding box on this side.
+Height heightOver(const Segment& seen, double radius, const Shape& shape, int axis, double side)
 {
-  const double s = from - seen.start;
-  const Vector3d y = seen.position(s);
-  const Vector3d u = seen.velocity(s);
+  Height height;
+  height.degree = seen.degree;
+  height.c[0] = side * seen.c[0][axis] - shape.half_size[axis] - radius;
+  for (int k = 1; k <= seen.degree; ++k) height.c[k] = side * seen.c[k][axis];
+  const double low = side * seen.a_low[axis], high = side * seen.a_high[axis];
+  height.least_bend = std::min(low, high);
+  height.most_bend = std::max(low, high);
+  return height;
+}
+
+// Over the flat of a face, where the face is what the ball meets.
+bool overFace(const Vector3d& y, const Shape& shape, int axis)
+{
+  if (shape.kind == ShapeKind::Cylinder)
+    return axis == 2 && y.x() * y.x() + y.y() * y.y() <= shape.half_size.x() * shape.half_size.x();
   for (int i = 0; i < 3; ++i)
-    if (staysOutside(y[i], u[i], seen.a_low[i], seen.a_high[i], shape.half_size[i] + radius, until - from)) return true;
-  return false;
+    if (i != axis && std::abs(y[i]) > shape.half_size[i]) return false;
+  return shape.kind == ShapeKind::Box;
+}
+
+// As long as the ball is beyond a face of the bounding box there is no contact. Goes from face to face, the furthest first:
+// a contact on the flat of a face is found like that with a plane. Undecided: none up to that time, when the ball may be at
+// an edge, a corner or a round side.
+Detection meetFaces(const Segment& seen, double radius, const Shape& shape, double from, double until, double tolerance)
+{
+  constexpr int kMostFaces = 8;
+  constexpr double kInside = 1e-12;  // a face that the ball has come to to rounding [m]
+  for (int face = 0; face < kMostFaces; ++face)
+  {
+    const double s = from - seen.start;
+    const Vector3d y = seen.position(s);
+    int axis;
+    const double gap = beyondFaces(y, radius, shape).maxCoeff(&axis);
+    const double side = y[axis] < 0.0 ? -1.0 : 1.0;
+    if (gap < -kInside || (gap <= kInside && !overFace(y, shape, axis))) return {from, true};
+    const Detection found = comesDown(heightOver(seen, radius, shape, axis, side), seen.start, from, until, tolerance);
+    if (!found.found() || found.undecided) return found;
+    from = found.time;
+    if (overFace(seen.position(from - seen.start), shape, axis)) return found;
+  }
+  return {from, true};
 }
 
 Detection meetShape(const Segment& path, double radius, const Shape& shape, double from, double until)
 {
   const Segment seen = seenFrom(shape, path);
-  if (passesBy(seen, radius, shape, from, until)) return {};
+  const double tolerance = touchTolerance(path.position(from - path.start), radius);
+  const Detection found = meetFaces(seen, radius, shape, from, until, tolerance);
+  if (!found.undecided) return found;
+  from = found.time;
   const auto at = [&](double t) {
     const double s = t - seen.start;
     const Proximity near = proximityHere(shape, seen.position(s));
@@ -98,7 +117,7 @@ Detection meetShape(const Segment& path, double radius, const Shape& shape, doub
     const double u2 = u.dot(near.normal.cross(near.t1));
     return near.normal.dot(seen.acceleration(s)) + near.k1 * u1 * u1 + near.k2 * u2 * u2 < 0.0;
   };
-  return march(at, presses, from, until, touchTolerance(path.position(from - path.start), radius));
+  return march(at, presses, from, until, tolerance);
 }
 }  // namespace
 

@@ -83,7 +83,7 @@ Proximity toCylinderSide(double distance, const Vector3d& radial, double rho)
 Proximity toCylinderRim(double over_radius, double over_end, double side, const Vector3d& radial, double rho)
 {
   Proximity found;
-  found.distance = std::hypot(over_radius, over_end);
+  found.distance = std::sqrt(over_radius * over_radius + over_end * over_end);
   const double cos_n = over_radius / found.distance;
   const double sin_n = over_end / found.distance;
   found.normal = cos_n * radial + side * sin_n * Vector3d::UnitZ();
@@ -95,7 +95,7 @@ Proximity toCylinderRim(double over_radius, double over_end, double side, const 
 
 Proximity toCylinder(double radius, double half_length, const Vector3d& q)
 {
-  const double rho = std::hypot(q.x(), q.y());
+  const double rho = std::sqrt(q.x() * q.x() + q.y() * q.y());
   const Vector3d radial = rho > 0.0 ? Vector3d(q.x() / rho, q.y() / rho, 0.0) : Vector3d::UnitX();
   const double side = q.z() < 0.0 ? -1.0 : 1.0;
   const double over_radius = rho - radius;
