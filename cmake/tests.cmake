@@ -56,6 +56,7 @@ foreach(name
     crowds
     gas
     state_hash
+    workers
     islands
     impulse
     handover
@@ -82,7 +83,7 @@ add_dependencies(${PROJECT_NAME}_test_chart ${PROJECT_NAME}_chart)
 add_library(${PROJECT_NAME}_counting STATIC EXCLUDE_FROM_ALL ${${PROJECT_NAME}_physics})
 target_compile_definitions(${PROJECT_NAME}_counting PUBLIC PING_PONG_SIM_COUNT)
 target_include_directories(${PROJECT_NAME}_counting PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include src/core)
-target_link_libraries(${PROJECT_NAME}_counting PUBLIC Eigen3::Eigen PRIVATE ${PROJECT_NAME}_options)
+target_link_libraries(${PROJECT_NAME}_counting PUBLIC Eigen3::Eigen PRIVATE ${PROJECT_NAME}_options Threads::Threads)
 set(counting_test ${PROJECT_NAME}_test_pay_for_what_you_name)
 if(CORE_ONLY)
   add_executable(${counting_test} test/core/test_pay_for_what_you_name.cpp)

@@ -139,6 +139,7 @@ void World::Impl::makeSpace()
   obstacles.reserve(bodies.size());
   near_obstacles.reserve(mostNearPairs(bodies));
   if (balls.size() <= space_for && space_for > 0) return;
+  if (balls.size() > 1) workers.start(scene.threads);
   space_for = space_for == 0 ? balls.size() : std::max(balls.size(), 2 * space_for);
   contacts.reserve(kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
   origins.reserve(contacts.capacity());

@@ -13,6 +13,7 @@
 #include "ping_pong_sim/segment.h"
 #include "ping_pong_sim/support.h"
 #include "ping_pong_sim/world.h"
+#include "workers.h"
 
 namespace ping_pong
 {
@@ -174,6 +175,7 @@ struct WorldState
   bool any_moving = false;                ///< any body, in this window
   IslandRecords islands;
   Pile pile;
+  Workers workers;                        ///< as many as the scene names threads, once there are balls to share
 
   const Surface& surface(const BallRecord& ball, const Shape& shape) const
   {
