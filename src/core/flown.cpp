@@ -7,13 +7,15 @@ namespace ping_pong
 {
 namespace
 {
-using Piece = IslandRecords::Piece;
+using Piece = IslandWork::Piece;
+
+constexpr std::uint16_t kMostPieces = 32;  // of a ball in a window; from then on it may have been anywhere near
 
 // The path that a ball is on, as a piece that is as long as the window.
 Piece lastPiece(const WorldState& world, const Window& window, std::size_t i)
 {
   const Segment& path = world.balls[i].path;
-  return {asParabola(path), window.end, world.islands.last_piece[i], isParabola(path)};
+  return {asParabola(path), window.end, world.islands.last_piece[i], 0, isParabola(path)};
 }
 
 bool meet(const Piece& a, const Piece& b, double reach)
@@ -31,12 +33,6 @@ bool asLittleIsKnown(const Piece& piece, const Segment& path)
   return !piece.parabola && !isParabola(path);
 }
 
-// Room for another piece, with something left for the first pieces of other balls.
-bool hasRoom(const IslandRecords& islands)
-{
-  return islands.pieces.size() + islands.last_piece.size() < islands.pieces.capacity();
-}
-
 // Paths that nothing has bent in this window are searched whatever they are.
 bool meetOnWholePaths(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
@@ -49,35 +45,48 @@ bool meetOnWholePaths(const WorldState& world, const Window& window, std::size_t
 void noteFlown(WorldState& world, const Window& window, std::size_t i, double t)
 {
   IslandRecords& islands = world.islands;
-  BallRecord& ball = world.balls[i];
-  ball.swept.add(boxOf(ball, window.start, t));
+  IslandWork& work = *window.work;
+  const BallRecord& ball = world.balls[i];
+  islands.swept[i].add(CoarseBox(boxOf(ball, window.start, t)));
   const std::uint32_t last = islands.last_piece[i];
-  if (last != IslandRecords::kNoPiece && (asLittleIsKnown(islands.pieces[last], ball.path) || !hasRoom(islands)))
+  std::uint16_t count = 1;
+  if (last != IslandRecords::kNoEntry)
   {
-    islands.pieces[last].parabola = false;
-    islands.pieces[last].until = t;
-    return;
+    Piece& before = work.pieces[IslandRecords::indexOf(last)];  // whoever runs a ball on has noted what it has flown
+    if (asLittleIsKnown(before, ball.path) || before.count == kMostPieces)
+    {
+      before.parabola = false;
+      before.until = t;
+      return;
+    }
+    count = static_cast<std::uint16_t>(before.count + 1);
   }
-  islands.pieces.push_back({asParabola(ball.path), t, last, isParabola(ball.path)});
-  islands.last_piece[i] = static_cast<std::uint32_t>(islands.pieces.size() - 1);
+  islands.last_piece[i] = IslandRecords::entry(work, work.pieces.size());
+  work.pieces.push_back({asParabola(ball.path), t, last, count, isParabola(ball.path)});
 }
 
-void forgetFlown(WorldState& world, std::size_t i)
+void forgetFlown(IslandRecords& islands, std::size_t i)
 {
-  world.balls[i].swept = Box();
-  world.islands.last_piece[i] = IslandRecords::kNoPiece;
+  islands.swept[i] = CoarseBox();
+  islands.last_piece[i] = IslandRecords::kNoEntry;
+}
+
+void noteLast(WorldState& world, const Window& window, std::size_t i)
+{
+  world.islands.swept[i].add(CoarseBox(boxOf(world.balls[i], window.start, window.end)));
 }
 
 bool metInFlight(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
   const IslandRecords& islands = world.islands;
-  const auto next = [&](Piece& piece) {
+  const auto next = [&](Piece& piece)
+  {
     const std::uint32_t earlier = piece.earlier;
-    if (earlier == IslandRecords::kNoPiece) return false;
-    piece = islands.pieces[earlier];
+    if (earlier == IslandRecords::kNoEntry) return false;
+    piece = islands.piece(earlier);
     return true;
   };
-  if (islands.last_piece[i] == IslandRecords::kNoPiece && islands.last_piece[k] == IslandRecords::kNoPiece)
+  if (islands.last_piece[i] == IslandRecords::kNoEntry && islands.last_piece[k] == IslandRecords::kNoEntry)
     return meetOnWholePaths(world, window, i, k);
   const double reach = world.balls[i].params.radius + world.balls[k].params.radius;
   Piece mine = lastPiece(world, window, i);

@@ -73,12 +73,13 @@ void foresee(WorldState& world, std::size_t i, double t)
     if (!world.bodies[b].moving) lookAtStillBody(ball, world.bodies[b], b, t, way, ball.next);
 }
 
-void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end)
+void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end,
+                 Records& records)
 {
   BallRecord& mine = world.balls[i];
   BallRecord& other = world.balls[k];
   if (other.away() || mine.away() || (liesStill(mine) && liesStill(other))) return;
-  ++world.islands.pair_searches;
+  ++records.pair_searches;
   const double until = std::min(mine.next_ball.time, window_end);
   const double from = std::max({mine.path.start, other.path.start, resume});
   const BallRecord &first = world.balls[std::min(i, k)], &second = world.balls[std::max(i, k)];

@@ -6,7 +6,8 @@ namespace ping_pong
 {
 namespace
 {
-// Loops follow each other within microseconds, less than it takes to wake a sleeping thread: one looks so often before it sleeps.
+// Loops follow each other within microseconds, less than it takes to wake a sleeping thread: one looks so often before
+// it sleeps.
 constexpr int kLooks = 200;
 
 template <class Condition>

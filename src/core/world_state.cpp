@@ -42,19 +42,27 @@ Box boxOf(const BallRecord& ball, double from, double to)
   return box;
 }
 
-void IslandRecords::reserve(std::size_t balls)
+void IslandRecords::reserve(std::size_t balls, std::size_t workers)
 {
   broad_phase.reserve(balls);
-  alone.reserve(balls);
   swept.reserve(balls);
-  saved.reserve(balls);
-  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next}) list->reserve(balls);
-  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) list->reserve(8 * balls);
-  settled.reserve(balls);
-  members.reserve(balls);
+  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &last_piece}) list->reserve(balls);
+  const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
+  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) list->reserve(meetings);
   order.reserve(256 + 8 * balls);
-  last_piece.reserve(balls);
-  pieces.reserve(256 + 4 * balls);
+  work.resize(workers);
+  for (std::uint32_t worker = 0; worker < workers; ++worker)
+  {
+    IslandWork& its = work[worker];
+    its.worker = worker;
+    its.saved.reserve(balls);
+    its.members.reserve(balls);
+    its.crowded.reserve(balls);
+    its.met.reserve(meetings);
+    its.pieces.reserve(2048 + 4 * balls);
+    its.contacts.reserve(256 + 8 * balls);
+    its.origins.reserve(256 + 8 * balls);
+  }
 }
 
 void placeBody(BodyRecord& body, Pose pose)

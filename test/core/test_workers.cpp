@@ -1,11 +1,11 @@
 // A loop shared by threads: all of it, once, and over when it says so.
-#include "workers.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 #include <set>
+
+#include "workers.h"
 
 namespace ping_pong
 {
@@ -22,11 +22,17 @@ TEST(Workers, DoEveryIndexOnceInPiecesNoLargerThanTheGrain)
     {
       std::vector<int> done(size, 0);
       std::atomic<std::size_t> largest{0}, highest_worker{0};
-      workers.each(size, 7, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-        for (std::size_t i = begin; i < end; ++i) ++done[i];
-        for (std::size_t most = largest; end - begin > most && !largest.compare_exchange_weak(most, end - begin);) continue;
-        for (std::size_t most = highest_worker; worker > most && !highest_worker.compare_exchange_weak(most, worker);) continue;
-      });
+      workers.each(size, 7,
+                   [&](std::size_t begin, std::size_t end, std::size_t worker)
+                   {
+                     for (std::size_t i = begin; i < end; ++i) ++done[i];
+                     for (std::size_t most = largest;
+                          end - begin > most && !largest.compare_exchange_weak(most, end - begin);)
+                       continue;
+                     for (std::size_t most = highest_worker;
+                          worker > most && !highest_worker.compare_exchange_weak(most, worker);)
+                       continue;
+                   });
       EXPECT_EQ(done, std::vector<int>(size, 1)) << count;
       EXPECT_LT(highest_worker, count);
       EXPECT_LE(largest, count > 1 ? 7u : size);
@@ -40,12 +46,14 @@ TEST(Workers, TheCallerIsOneOfThemAndAloneOnTheOnlyPiece)
   workers.start(3);
   std::size_t pieces = 0;
   std::thread::id who;
-  workers.each(10, 10, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-    ++pieces;
-    who = std::this_thread::get_id();
-    EXPECT_EQ(end - begin, 10u);
-    EXPECT_EQ(worker, 0u);
-  });
+  workers.each(10, 10,
+               [&](std::size_t begin, std::size_t end, std::size_t worker)
+               {
+                 ++pieces;
+                 who = std::this_thread::get_id();
+                 EXPECT_EQ(end - begin, 10u);
+                 EXPECT_EQ(worker, 0u);
+               });
   EXPECT_EQ(pieces, 1u);
   EXPECT_EQ(who, std::this_thread::get_id());
 }
@@ -56,11 +64,13 @@ TEST(Workers, AreAllThereWhenThePiecesWaitForEachOther)
   workers.start(3);
   std::atomic<int> here{0};
   std::vector<std::size_t> seen(3);
-  workers.each(3, 1, [&](std::size_t begin, std::size_t, std::size_t worker) {
-    seen[begin] = worker;
-    ++here;
-    while (here < 3) std::this_thread::yield();  // no piece ends before three have begun
-  });
+  workers.each(3, 1,
+               [&](std::size_t begin, std::size_t, std::size_t worker)
+               {
+                 seen[begin] = worker;
+                 ++here;
+                 while (here < 3) std::this_thread::yield();  // no piece ends before three have begun
+               });
   EXPECT_EQ(std::set<std::size_t>(seen.begin(), seen.end()), (std::set<std::size_t>{0, 1, 2}));
 }
 
@@ -75,10 +85,12 @@ TEST(Workers, OneCallAfterAnotherLosesNothing)
     for (long call = 0; call < kCalls; ++call)
     {
       std::vector<int> before(16, 0);
-      workers.each(16, 2, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-        for (std::size_t i = begin; i < end; ++i) before[i] = 1;
-        sum[worker] += static_cast<long>(end - begin);
-      });
+      workers.each(16, 2,
+                   [&](std::size_t begin, std::size_t end, std::size_t worker)
+                   {
+                     for (std::size_t i = begin; i < end; ++i) before[i] = 1;
+                     sum[worker] += static_cast<long>(end - begin);
+                   });
       ASSERT_EQ(std::count(before.begin(), before.end(), 1), 16) << call;
     }
     EXPECT_EQ(std::accumulate(sum.begin(), sum.end(), 0L), 16 * kCalls);
