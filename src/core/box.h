@@ -34,9 +34,9 @@ struct CoarseBox
   float high[3] = {-1e30f, -1e30f, -1e30f};
 
   CoarseBox() = default;
+  /// Of a box that is not empty.
   explicit CoarseBox(const Box& box)
   {
-    if (box.empty()) return;
     constexpr float kRounding = 2e-7f;  // more than that of the number and of the sum, 2^-24 each
     for (int i = 0; i < 3; ++i)
     {

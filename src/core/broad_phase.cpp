@@ -9,7 +9,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kCellsPerBox = 2.0;  // cells of the grid for each box, at most
+constexpr double kCellsPerBox = 4.0;  // cells of the grid for each box, at most
 constexpr double kSpread = 3.0;     // the grid covers so many standard deviations; boxes outside are in its outer cells
 constexpr double kLongEdges = 4.0;  // longer than the mean edge by so many standard deviations: in no cell
 constexpr double kShare = 0.99;     // of a cell, that a box in it is long: rounding puts nobody two cells away
@@ -64,8 +64,8 @@ double deviation(double sum, double sum_of_squares, double n)
 
 void BroadPhase::reserve(std::size_t boxes)
 {
-  start_.reserve(static_cast<std::size_t>(kCellsPerBox) * boxes + 3);
-  cell_.reserve(boxes);
+  start_.reserve(static_cast<std::size_t>(4.0 * kCellsPerBox) * boxes + 64);  // with empty ones around the grid
+  corners_.reserve(boxes);
   entries_.reserve(boxes);
   added_start_.reserve(start_.capacity());
   added_.reserve(16 * boxes);
@@ -94,38 +94,43 @@ void BroadPhase::layOut(const std::vector<CoarseBox>& boxes, Workers& workers)
     origin_[i] = sums.n > 0.0 ? std::max<double>(sums.least[i], mean - spread) : 0.0;
     width[i] = sums.n > 0.0 ? std::max(std::min<double>(sums.greatest[i], mean + spread) - origin_[i], 0.0) : 0.0;
   }
-  // Fewer and larger cells, until there are not many more than boxes.
+  // Fewer and larger cells, until there are not many more than boxes, and the corners of all have a number.
+  const double most_cells = static_cast<double>(kFieldMask) / kUnits - 2.0;
   double size = longest_ / kShare;
   for (;; size *= 1.25)
   {
     double cells = 1.0;
     for (const double w : width) cells *= std::floor(w / size) + 1.0;
-    if (cells <= kCellsPerBox * n + 1.0) break;
+    if (cells <= kCellsPerBox * n + 1.0 && *std::max_element(width.begin(), width.end()) < most_cells * size) break;
   }
-  cells_per_metre_ = 1.0 / size;
-  for (std::size_t i = 0; i < 3; ++i) count_[i] = static_cast<int>(width[i] / size) + 1;
+  units_per_metre_ = kUnits / size;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    count_[i] = static_cast<int>(width[i] / size) + 1;
+    last_[i] = kUnits * count_[i] - 1;
+  }
 }
 
-int BroadPhase::cellAt(double x, int axis) const
+// Rounded down, high corners too: what overlaps still does.
+BroadPhase::Corner BroadPhase::cornerAt(const float* p) const
 {
-  const auto i = static_cast<std::size_t>(axis);
-  return static_cast<int>(std::clamp((x - origin_[i]) * cells_per_metre_, 0.0, static_cast<double>(count_[i] - 1)));
+  Corner corner = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto axis = static_cast<std::size_t>(i);
+    const double units = (p[i] - origin_[axis]) * units_per_metre_;
+    corner |= static_cast<Corner>(static_cast<std::int32_t>(std::clamp(units, 0.0, last_[axis]))) << (kField * i);
+  }
+  return corner;
 }
 
-std::uint32_t BroadPhase::cellOf(const CoarseBox& box) const
+BroadPhase::Range BroadPhase::cellsOf(Corner low, Corner high, int cells_before) const
 {
-  if (box.empty() || box.edge() > longest_) return kNoCell;
-  return static_cast<std::uint32_t>(cell(cellAt(box.low[0], 0), cellAt(box.low[1], 1), cellAt(box.low[2], 2)));
-}
-
-BroadPhase::Range BroadPhase::cellsOf(const CoarseBox& box, double before) const
-{
-  if (box.empty()) return {{0, 0, 0}, {-1, -1, -1}};
   Range range;
   for (int i = 0; i < 3; ++i)
   {
-    range.low[static_cast<std::size_t>(i)] = cellAt(box.low[i] - before, i);
-    range.high[static_cast<std::size_t>(i)] = cellAt(box.high[i], i);
+    range.low[static_cast<std::size_t>(i)] = std::max(field(low, i) / kUnits - cells_before, 0);
+    range.high[static_cast<std::size_t>(i)] = field(high, i) / kUnits;
   }
   return range;
 }
@@ -138,29 +143,38 @@ double BroadPhase::Range::cells() const
 void BroadPhase::fill(const std::vector<CoarseBox>& boxes, Workers& workers)
 {
   const auto n = static_cast<std::uint32_t>(boxes.size());
-  cell_.resize(n);
+  corners_.resize(n);
   workers.each(n, kGrain,
                [&](std::size_t begin, std::size_t end, std::size_t)
                {
-                 for (std::size_t i = begin; i < end; ++i) cell_[i] = cellOf(boxes[i]);
+                 for (std::size_t i = begin; i < end; ++i)
+                   if (boxes[i].empty())
+                     corners_[i] = {kEmpty, kEmpty};
+                   else if (boxes[i].edge() > longest_)
+                     corners_[i] = {kLarge, kLarge};
+                   else
+                     corners_[i] = {cornerAt(boxes[i].low), cornerAt(boxes[i].high)};
                });
-  start_.assign(cell(0, 0, count_[2]) + 1, 0);
+  start_.assign(cell(count_[0], count_[1], count_[2]) + 2, 0);
   large_ = 0;
-  for (std::uint32_t i = 0; i < n; ++i)
-    if (cell_[i] != kNoCell)
-      ++start_[cell_[i]];
+  for (const auto& [low, high] : corners_)
+    if (low < kLarge)
+      ++start_[cellOf(low)];
     else
-      large_ += !boxes[i].empty();
+      large_ += low == kLarge;
   std::uint32_t total = 0;
   for (std::uint32_t& start : start_)
     start = total += start;  // ends of the cells; filled from behind they become starts
   entries_.resize(total + large_);
   std::size_t next_large = entries_.size();
   for (std::uint32_t i = n; i-- > 0;)
-    if (cell_[i] != kNoCell)
-      entries_[--start_[cell_[i]]] = {boxes[i], i};
-    else if (!boxes[i].empty())
-      entries_[--next_large] = {boxes[i], i};
+  {
+    const auto [low, high] = corners_[i];
+    if (low < kLarge)
+      entries_[--start_[cellOf(low)]] = {low, high, i};
+    else if (low == kLarge)
+      entries_[--next_large] = {cornerAt(boxes[i].low), cornerAt(boxes[i].high), i};
+  }
 }
 
 void BroadPhase::build(const std::vector<CoarseBox>& boxes, Workers& workers)
@@ -174,7 +188,7 @@ void BroadPhase::build(const std::vector<CoarseBox>& boxes, Workers& workers)
 
 void BroadPhase::add(std::uint32_t index, const CoarseBox& box)
 {
-  const Range range = cellsOf(box);
+  const Range range = cellsOf(cornerAt(box.low), cornerAt(box.high), 0);
   if (range.cells() > kManyCells) return added_large_.push_back(index);
   if (added_.empty()) added_start_.assign(start_.size() - 1, kNoEntry);
   for (int z = range.low[2]; z <= range.high[2]; ++z)

@@ -22,11 +22,12 @@ public:
   std::size_t boxes() const { return entries_.size(); }
   /// Calls action(a, b) with the indices of every two boxes that overlap, in no order; of all pairs that share of which
   /// [begin, end) is of boxes(). Shares that cover boxes() once give each pair once.
+  /// @param boxes  those of the last build(): the grid has them rounded
   template <class Action>
-  void eachPair(std::size_t begin, std::size_t end, const Action& action) const;
+  void eachPair(std::size_t begin, std::size_t end, const std::vector<CoarseBox>& boxes, const Action& action) const;
   /// Calls action(index) for each that overlaps this box.
   template <class Action>
-  void eachOverlapping(const CoarseBox& box, const Action& action) const;
+  void eachOverlapping(const CoarseBox& box, const std::vector<CoarseBox>& boxes, const Action& action) const;
 
   /// Until the next build() this box is there, too, under an index of the caller's. The boxes of the last build() say
   /// where cells are, so that looking for it does not mean looking at all that were added.
@@ -38,12 +39,29 @@ public:
 
 private:
   static constexpr std::uint32_t kNoEntry = ~0u;
-  static constexpr std::uint32_t kNoCell = ~0u;
+  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0}, kLarge = kEmpty - 1;  ///< low corners of boxes in no cell
   static constexpr double kManyCells = 64.0;  ///< an added box over more cells than this is in none
+  static constexpr int kUnits = 64;           ///< of length in a cell
+  static constexpr int kBits = 20;            ///< of a place in units, along each axis
+
+  /// A corner in units from the origin of the grid, x, y and z in one number, below a bit that is zero each. What is
+  /// beyond the grid is on its border.
+  using Corner = std::uint64_t;
+  static constexpr int kField = kBits + 1;
+  static constexpr Corner kFieldMask = (Corner{1} << kBits) - 1;
+  static constexpr Corner kBorrows =
+      Corner{1} << kBits | Corner{1} << (kField + kBits) | Corner{1} << (2 * kField + kBits);
+  static int field(Corner corner, int axis) { return static_cast<int>(corner >> (kField * axis) & kFieldMask); }
+
   struct Entry
   {
-    CoarseBox box;
+    Corner low, high;
     std::uint32_t index;
+    /// All three subtractions at once: none borrows if no coordinate is less than the other.
+    bool overlaps(Corner other_low, Corner other_high) const
+    {
+      return (((high | kBorrows) - other_low) & ((other_high | kBorrows) - low) & kBorrows) == kBorrows;
+    }
   };
   struct Added
   {
@@ -58,96 +76,101 @@ private:
 
   void layOut(const std::vector<CoarseBox>& boxes, Workers& workers);
   void fill(const std::vector<CoarseBox>& boxes, Workers& workers);
-  std::uint32_t cellOf(const CoarseBox& box) const;
-  int cellAt(double x, int axis) const;
-  Range cellsOf(const CoarseBox& box, double before = 0.0) const;
+  Corner cornerAt(const float* p) const;
+  Range cellsOf(Corner low, Corner high, int cells_before) const;
+  // Around the grid is a layer of empty cells.
   std::size_t cell(int x, int y, int z) const
   {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(count_[1]) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(count_[0]) +
-           static_cast<std::size_t>(x);
+    return (static_cast<std::size_t>(z + 1) * static_cast<std::size_t>(count_[1] + 2) +
+            static_cast<std::size_t>(y + 1)) *
+               static_cast<std::size_t>(count_[0] + 2) +
+           static_cast<std::size_t>(x + 1);
+  }
+  std::size_t cellOf(Corner low) const
+  {
+    return cell(field(low, 0) / kUnits, field(low, 1) / kUnits, field(low, 2) / kUnits);
   }
   template <class Action>
-  void eachOfRow(int x0, int x1, int y, int z, const CoarseBox& box, const Action& action) const;
+  void eachFrom(std::size_t begin, std::size_t end, Corner low, Corner high, const Action& action) const;
   template <class Action>
-  void eachAhead(std::size_t p, std::size_t c, const Action& action) const;
-  template <class Action>
-  void eachInCells(const CoarseBox& box, const Action& action) const;
+  void eachInCells(Corner low, Corner high, const Action& action) const;
 
   std::array<double, 3> origin_{};
-  double cells_per_metre_ = 1.0;
+  double units_per_metre_ = 1.0;
   float longest_ = 0.0f;  ///< edge of a box in a cell [m]
   std::array<int, 3> count_{1, 1, 1};
-  std::size_t large_ = 0;                   ///< boxes in no cell: the last of entries_
-  std::vector<std::uint32_t> start_;        ///< of each cell in entries_
-  std::vector<std::uint32_t> cell_;         ///< of each box
-  std::vector<Entry> entries_;              ///< by cell
-  std::vector<std::uint32_t> added_start_;  ///< of each cell: its last entry
+  std::array<double, 3> last_{};                ///< greatest coordinates, in units
+  std::size_t large_ = 0;                       ///< boxes in no cell: the last of entries_
+  std::vector<std::uint32_t> start_;            ///< of each cell in entries_
+  std::vector<std::array<Corner, 2>> corners_;  ///< of each box
+  std::vector<Entry> entries_;                  ///< by cell
+  std::vector<std::uint32_t> added_start_;      ///< of each cell: its last entry
   std::vector<Added> added_;
   std::vector<std::uint32_t> added_large_;
 };
 
 template <class Action>
-void BroadPhase::eachOfRow(int x0, int x1, int y, int z, const CoarseBox& box, const Action& action) const
+void BroadPhase::eachFrom(std::size_t begin, std::size_t end, Corner low, Corner high, const Action& action) const
 {
-  const std::size_t end = start_[cell(x1, y, z) + 1];
-  for (std::size_t q = start_[cell(x0, y, z)]; q < end; ++q)
-    if (entries_[q].box.overlaps(box)) action(entries_[q].index);
+  for (std::size_t q = begin; q < end; ++q)
+    if (entries_[q].overlaps(low, high)) action(entries_[q].index);
 }
 
-// Those after box p in its own cell c and in the 13 neighbours with a greater number.
+// Boxes in cells that overlap this one: they begin no earlier than a cell before it.
 template <class Action>
-void BroadPhase::eachAhead(std::size_t p, std::size_t c, const Action& action) const
+void BroadPhase::eachInCells(Corner low, Corner high, const Action& action) const
 {
-  const CoarseBox& box = entries_[p].box;
-  const int x = static_cast<int>(c % static_cast<std::size_t>(count_[0]));
-  const int yz = static_cast<int>(c / static_cast<std::size_t>(count_[0]));
-  const int y = yz % count_[1], z = yz / count_[1];
-  const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, count_[0] - 1);
-  const std::size_t end = start_[cell(x1, y, z) + 1];
-  for (std::size_t q = p + 1; q < end; ++q)
-    if (entries_[q].box.overlaps(box)) action(entries_[q].index);
-  if (y + 1 < count_[1]) eachOfRow(x0, x1, y + 1, z, box, action);
-  if (z + 1 == count_[2]) return;
-  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, count_[1] - 1); ++row)
-    eachOfRow(x0, x1, row, z + 1, box, action);
-}
-
-// Boxes in cells that overlap this one.
-template <class Action>
-void BroadPhase::eachInCells(const CoarseBox& box, const Action& action) const
-{
-  const Range r = cellsOf(box, 1.000001 * longest_);  // they begin no earlier than their length before it
+  const Range r = cellsOf(low, high, 1);
   for (int z = r.low[2]; z <= r.high[2]; ++z)
-    for (int y = r.low[1]; y <= r.high[1]; ++y) eachOfRow(r.low[0], r.high[0], y, z, box, action);
+    for (int y = r.low[1]; y <= r.high[1]; ++y)
+      eachFrom(start_[cell(r.low[0], y, z)], start_[cell(r.high[0], y, z) + 1], low, high, action);
 }
 
 template <class Action>
-void BroadPhase::eachPair(std::size_t begin, std::size_t end, const Action& action) const
+void BroadPhase::eachPair(std::size_t begin, std::size_t end, const std::vector<CoarseBox>& boxes,
+                          const Action& action) const
 {
   const std::size_t in_cells = entries_.size() - large_;
-  for (std::size_t p = begin; p < end; ++p)
+  const std::size_t row = cell(0, 1, 0) - cell(0, 0, 0), layer = cell(0, 0, 1) - cell(0, 0, 0);
+  const std::array<std::size_t, 5> rows = {0, row, layer - row, layer, layer + row};
+  for (std::size_t p = begin; p < std::min(end, in_cells); ++p)
   {
-    const Entry& entry = entries_[p];
-    const auto pairUp = [&](std::uint32_t other) { action(entry.index, other); };
-    if (p < in_cells)
+    const Entry entry = entries_[p];
+    const std::size_t c = cellOf(entry.low);
+    // The rest of its cell and of the next one; the rows of three cells beside, above and diagonally above.
+    std::size_t q = p + 1;
+    for (std::size_t k = 0;;)
     {
-      eachAhead(p, cell_[entry.index], pairUp);
-      continue;
+      for (const std::size_t stop = start_[c + rows[k] + 2]; q < stop; ++q)
+        if (entries_[q].overlaps(entry.low, entry.high) && boxes[entries_[q].index].overlaps(boxes[entry.index]))
+          action(entry.index, entries_[q].index);
+      if (++k == rows.size()) break;
+      q = start_[c + rows[k] - 1];
     }
-    eachInCells(entry.box, pairUp);
-    for (std::size_t q = p + 1; q < entries_.size(); ++q)
-      if (entries_[q].box.overlaps(entry.box)) pairUp(entries_[q].index);
+  }
+  for (std::size_t p = std::max(begin, in_cells); p < end; ++p)
+  {
+    const Entry large = entries_[p];
+    const auto pairUp = [&](std::uint32_t other)
+    {
+      if (boxes[other].overlaps(boxes[large.index])) action(large.index, other);
+    };
+    eachInCells(large.low, large.high, pairUp);
+    eachFrom(p + 1, entries_.size(), large.low, large.high, pairUp);
   }
 }
 
 template <class Action>
-void BroadPhase::eachOverlapping(const CoarseBox& box, const Action& action) const
+void BroadPhase::eachOverlapping(const CoarseBox& box, const std::vector<CoarseBox>& boxes, const Action& action) const
 {
   if (box.empty()) return;
-  eachInCells(box, action);
-  for (std::size_t q = entries_.size() - large_; q < entries_.size(); ++q)
-    if (entries_[q].box.overlaps(box)) action(entries_[q].index);
+  const Corner low = cornerAt(box.low), high = cornerAt(box.high);
+  const auto lookAt = [&](std::uint32_t index)
+  {
+    if (boxes[index].overlaps(box)) action(index);
+  };
+  eachInCells(low, high, lookAt);
+  eachFrom(entries_.size() - large_, entries_.size(), low, high, lookAt);
 }
 
 template <class Action>
@@ -155,7 +178,7 @@ void BroadPhase::eachAdded(const CoarseBox& box, const Action& action) const
 {
   for (const std::uint32_t index : added_large_) action(index);
   if (added_.empty()) return;
-  const Range r = cellsOf(box);
+  const Range r = cellsOf(cornerAt(box.low), cornerAt(box.high), 0);
   for (int z = r.low[2]; z <= r.high[2]; ++z)
     for (int y = r.low[1]; y <= r.high[1]; ++y)
       for (int x = r.low[0]; x <= r.high[0]; ++x)

@@ -52,7 +52,7 @@ void spread(WorldState& world, double start)
   for (std::size_t first = 0; first < islands.near.size(); ++first)
   {
     islands.found.clear();
-    islands.broad_phase.eachOverlapping(islands.swept[islands.near[first]],
+    islands.broad_phase.eachOverlapping(islands.swept[islands.near[first]], islands.swept,
                                         [&](std::uint32_t k) { islands.found.push_back(k); });
     std::sort(islands.found.begin(), islands.found.end());
     for (const std::uint32_t k : islands.found)
@@ -130,7 +130,7 @@ void joinPile(WorldState& world, double start, double end)
   islands.near.clear();
   for (const std::uint32_t piled : world.pile.ball)
   {
-    islands.broad_phase.eachOverlapping(CoarseBox(boxAround(world.balls[piled], start, end)), [&](std::uint32_t other) {
+    islands.broad_phase.eachOverlapping(CoarseBox(boxAround(world.balls[piled], start, end)), islands.swept, [&](std::uint32_t other) {
       if (!world.balls[other].away()) islands.near.push_back(other);
     });
   }

@@ -35,11 +35,12 @@ void unite(IslandRecords& islands, std::uint32_t i, std::uint32_t k)
   std::swap(islands.next[a], islands.next[b]);
 }
 
-std::size_t pairSearches(const IslandRecords& islands)
+// A look at two boxes that overlap costs half of a search.
+double pairSearches(const IslandRecords& islands)
 {
-  std::size_t sum = 0;
-  for (const IslandWork& work : islands.work) sum += work.pair_searches;
-  return sum;
+  std::size_t twice = 0;
+  for (const IslandWork& work : islands.work) twice += 8 * work.pair_searches + work.near_pairs;
+  return 0.125 * static_cast<double>(twice);
 }
 
 void save(WorldState& world, IslandWork& work, std::size_t i)
@@ -62,7 +63,7 @@ void begin(IslandRecords& islands, std::size_t n)
     work.contacts.clear();
     work.origins.clear();
     work.status = StepStatus();
-    work.pair_searches = 0;
+    work.pair_searches = work.near_pairs = 0;
     work.crowding = false;
     work.saved.clear();
     work.pieces.clear();
@@ -91,20 +92,6 @@ void runAlone(WorldState& world, Window& window, std::size_t i)
     runTogether(world, window);
   }
   noteLast(world, window, i);
-}
-
-bool movedAlone(const WorldState& world, std::size_t i)
-{
-  return world.islands.last_piece[i] != IslandRecords::kNoEntry;
-}
-
-// Whether two balls that would be alone meet.
-bool meet(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
-{
-  const BallRecord &a = world.balls[i], &b = world.balls[k];
-  if (a.away() || b.away()) return false;
-  if (a.path.degree == 0 && b.path.degree == 0 && !movedAlone(world, i) && !movedAlone(world, k)) return false;
-  return metInFlight(world, window, i, k);
 }
 
 // --- islands ---
@@ -175,11 +162,12 @@ void findWhoWasMet(WorldState& world, const Window& window, std::uint32_t root)
     const auto lookAt = [&](std::uint32_t k)
     {
       if (islands.root[k] == root || world.balls[k].away() || !islands.swept[k].overlaps(islands.swept[i])) return;
+      ++window.work->near_pairs;
       if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
     };
     if (world.balls[i].met)
     {
-      islands.broad_phase.eachOverlapping(islands.swept[i], lookAt);
+      islands.broad_phase.eachOverlapping(islands.swept[i], islands.swept, lookAt);
       islands.broad_phase.eachAdded(islands.swept[i], lookAt);
     }
     if (i == root) return;
@@ -203,7 +191,7 @@ bool worthAShorterWindow(const WorldState& world, const Window& window)
   const IslandRecords& islands = world.islands;
   if (!(window.end - window.start > 1.001 * kShortestWindow)) return false;  // beyond the rounding of its ends
   const double limit = kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
-  double searches = static_cast<double>(pairSearches(islands));
+  double searches = pairSearches(islands);
   for (const std::uint32_t root : islands.islands)
   {
     double m = 1.0;
@@ -319,11 +307,12 @@ Outcome runWindow(WorldState& world, const Window& window)
   world.workers.each(islands.broad_phase.boxes(), kBalls,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
-                       islands.broad_phase.eachPair(begin, end,
+                       IslandWork& its = islands.work[worker];
+                       islands.broad_phase.eachPair(begin, end, islands.swept,
                                                     [&](std::uint32_t a, std::uint32_t b)
                                                     {
-                                                      if (meet(world, window, a, b))
-                                                        islands.work[worker].met.push_back({a, b});
+                                                      ++its.near_pairs;
+                                                      if (metInFlight(world, window, a, b)) its.met.push_back({a, b});
                                                     });
                      });
   for (uniteWhoMet(islands); !islands.islands.empty(); runIslandsOnce(world, window))
@@ -370,7 +359,7 @@ void runIslands(WorldState& world, double end)
       window.smooth_until = end;
       outcome = runWindow(world, window);
       sumUp(world);
-      searches = static_cast<double>(pairSearches(islands)) / static_cast<double>(world.balls.size());
+      searches = pairSearches(islands) / static_cast<double>(world.balls.size());
     }
     if (outcome == Outcome::Crowded) continue;
     if (outcome == Outcome::TooLong || searches > kManySearches)

@@ -262,7 +262,7 @@ std::vector<char> World::Impl::ballsThatOverlap()
   for (const BallRecord& ball : balls) boxes.emplace_back(boxOf(ball, time, time));
   BroadPhase broad_phase;
   broad_phase.build(boxes, workers);
-  broad_phase.eachPair(0, broad_phase.boxes(), [&](std::uint32_t a, std::uint32_t b) {
+  broad_phase.eachPair(0, broad_phase.boxes(), boxes, [&](std::uint32_t a, std::uint32_t b) {
     if (spheresOverlap(balls[a], balls[b], time)) overlapping[a] = overlapping[b] = true;
   });
   return overlapping;

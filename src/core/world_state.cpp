@@ -15,6 +15,29 @@ double leastOn(double v, double a, double T)
   return std::min(0.0, (v + 0.5 * a * T) * T);
 }
 
+// Between its ends, or to where it turns round.
+Box boxOfParabola(const Segment& path, double radius, double from, double to)
+{
+  const double s = std::max(from - path.start, 0.0), e = std::max(to - path.start, s);
+  Vector3d lows, highs;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double c0 = path.c[0][i], c1 = path.c[1][i], c2 = path.c[2][i];
+    const double p = c0 + s * (c1 + s * c2), q = c0 + e * (c1 + e * c2);
+    double low = std::min(p, q), high = std::max(p, q);
+    const double v = c1 + 2.0 * s * c2;
+    if (v * (c1 + 2.0 * e * c2) < 0.0)
+    {
+      const double turn = p - 0.25 * v * v / c2;
+      low = std::min(low, turn);
+      high = std::max(high, turn);
+    }
+    lows[i] = low - radius;
+    highs[i] = high + radius;
+  }
+  return {lows, highs};
+}
+
 Box boxAround(const Shape& placed)
 {
   Box box;
@@ -30,6 +53,7 @@ Box boxAround(const Shape& placed)
 Box boxOf(const BallRecord& ball, double from, double to)
 {
   const Segment& path = ball.path;
+  if (path.degree == 2) return boxOfParabola(path, ball.params.radius, from, to);
   const double s = std::max(from - path.start, 0.0);
   const double T = std::max(to - path.start - s, 0.0);
   const Vector3d p = path.position(s), v = path.velocity(s);

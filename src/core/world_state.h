@@ -20,7 +20,7 @@ namespace ping_pong
 /// The next thing that happens to a ball.
 struct Event
 {
-  enum class Kind
+  enum class Kind : std::uint8_t
   {
     None,
     LookAgain,   ///< the search ended here without an answer
@@ -28,45 +28,48 @@ struct Event
     HitBody,
     HitBall
   };
+  static constexpr std::uint32_t kNobody = ~0u;
+
+  double time = kNever;           ///< world time [s]
+  std::uint32_t other = kNobody;  ///< index of body or ball
+  std::uint32_t shape = kNobody;
+  std::uint32_t version = 0;      ///< of the other when this was foreseen: another one makes it void
   Kind kind = Kind::None;
-  double time = kNever;       ///< world time [s]
-  std::size_t other = kNone;  ///< index of body or ball
-  std::size_t shape = kNone;
-  unsigned version = 0;       ///< of the other when this was foreseen: another one makes it void
 };
 
 /// A shape whose contacts are not looked for on this path: it continues a face that the ball slides over.
 struct Passing
 {
-  std::size_t body = kNone;
-  std::size_t shape = kNone;
+  std::uint32_t body = Event::kNobody;
+  std::uint32_t shape = Event::kNobody;
   double until = 0.0;  ///< [s]
 };
 
+/// What every window looks at comes first: it shares few lines of the cache.
 struct BallRecord
 {
   BallId id = 0;
-  BallParams params;
-  FlightModel model;
-  Segment path;
-  Supports supports;
   bool squeezed = false;
-  bool piled = false;   ///< handed over to the pile, see handover.h
-  bool asleep = false;  ///< in the pile, see pile.h
-  int crowding = 0;     ///< contacts with other balls since then, see handover.h
-  double crowded_since = -1e300;  ///< [s]
-  double step = 0.0;  ///< length of the next piece of flight through air, 0: unknown [s]
+  bool piled = false;      ///< handed over to the pile, see handover.h
+  bool asleep = false;     ///< in the pile, see pile.h
   bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
-  Event next;         ///< with still bodies; holds until the path changes
-  Event next_moving;  ///< with moving bodies; holds for this window
-  Event next_ball;    ///< with balls of the same island; holds for this window
-  unsigned version = 0;
-  int streak = 0;                ///< contacts in quick succession, see exact_method.cpp
-  int crush = 0;                 ///< contacts in even quicker succession
-  double last_contact = -1e300;  ///< [s]
+  bool met = false;        ///< has hit a ball in this window
+  std::uint32_t run = 0;   ///< of its island in this window: what an earlier run has recorded has not happened
+  Event next;              ///< with still bodies; holds until the path changes
+  Event next_moving;       ///< with moving bodies; holds for this window
+  Event next_ball;         ///< with balls of the same island; holds for this window
+  BallParams params;
+  Segment path;
+  FlightModel model;
+  Supports supports;
+  std::uint32_t version = 0;
+  int crowding = 0;               ///< contacts with other balls since then, see handover.h
+  double crowded_since = -1e300;  ///< [s]
+  double step = 0.0;              ///< length of the next piece of flight through air, 0: unknown [s]
+  int streak = 0;                 ///< contacts in quick succession, see exact_method.cpp
+  int crush = 0;                  ///< contacts in even quicker succession
+  double last_contact = -1e300;   ///< [s]
   Passing passing;
-  bool met = false;              ///< has hit a ball in this window
-  std::uint32_t run = 0;         ///< of its island in this window: what an earlier run has recorded has not happened
 
   BallRecord(BallId its_id, const BallParams& its_params, const Forces& forces)
     : id(its_id), params(its_params), model(forces, its_params)
@@ -116,6 +119,7 @@ struct Records
   std::vector<ContactOrigin> origins;  ///< by contact, in the exact method
   StepStatus status;
   std::size_t pair_searches = 0;       ///< of balls with balls, in this window
+  std::size_t near_pairs = 0;          ///< of balls whose boxes overlap, in this window
   bool crowding = false;               ///< a ball has met others too often, see handover.h
 };
 

@@ -73,7 +73,7 @@ TEST(BroadPhase, FindsEveryPairOnceInSharesOfAnySize)
       Pairs pairs;
       std::size_t told = 0;
       for (std::size_t begin = 0; begin < broad_phase.boxes(); begin += share)
-        broad_phase.eachPair(begin, std::min(begin + share, broad_phase.boxes()), [&](std::uint32_t a, std::uint32_t b) {
+        broad_phase.eachPair(begin, std::min(begin + share, broad_phase.boxes()), boxes, [&](std::uint32_t a, std::uint32_t b) {
           pairs.insert({std::min(a, b), std::max(a, b)});
           ++told;
         });
@@ -173,7 +173,7 @@ TEST(BroadPhase, FindsWhoOverlapsABoxThatWasNotThere)
   for (const CoarseBox& box : someBoxes(200, 4))
   {
     std::set<std::uint32_t> found, expected;
-    broad_phase.eachOverlapping(box, [&](std::uint32_t i) { EXPECT_TRUE(found.insert(i).second) << "told twice"; });
+    broad_phase.eachOverlapping(box, boxes, [&](std::uint32_t i) { EXPECT_TRUE(found.insert(i).second) << "told twice"; });
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
       if (boxes[i].overlaps(box)) expected.insert(i);
     EXPECT_EQ(found, expected);
