@@ -9,6 +9,19 @@ elseif(NOT CATKIN_ENABLE_TESTING)
   return()
 endif()
 
+# The physics once more, counting the evaluations of each law, and optimised little: the libraries know nothing of it.
+add_library(${PROJECT_NAME}_counting STATIC EXCLUDE_FROM_ALL ${${PROJECT_NAME}_physics})
+target_compile_definitions(${PROJECT_NAME}_counting PUBLIC PING_PONG_SIM_COUNT)
+target_include_directories(${PROJECT_NAME}_counting PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include src/core)
+target_link_libraries(${PROJECT_NAME}_counting PUBLIC Eigen3::Eigen PRIVATE ${PROJECT_NAME}_options Threads::Threads)
+target_compile_options(${PROJECT_NAME}_counting PRIVATE -O1)
+
+# Hashes of the results of either build, compared by a test.
+add_executable(${PROJECT_NAME}_hashes EXCLUDE_FROM_ALL test/core/hashes.cpp)
+target_link_libraries(${PROJECT_NAME}_hashes PRIVATE ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
+add_executable(${PROJECT_NAME}_hashes_O1 EXCLUDE_FROM_ALL test/core/hashes.cpp)
+target_link_libraries(${PROJECT_NAME}_hashes_O1 PRIVATE ${PROJECT_NAME}_counting ${PROJECT_NAME}_options)
+
 # One executable per file of test/core: test_NAME.cpp -> test NAME.
 function(add_core_test name)
   set(target ${PROJECT_NAME}_test_${name})
@@ -30,6 +43,8 @@ function(add_core_test name)
     VALIDATE="$<TARGET_FILE:${PROJECT_NAME}_validate>"
     CHART="$<TARGET_FILE:${PROJECT_NAME}_chart>"
     DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/test/data"
+    HASHES="$<TARGET_FILE:${PROJECT_NAME}_hashes>"
+    HASHES_O1="$<TARGET_FILE:${PROJECT_NAME}_hashes_O1>"
     CORE_LIBRARY="$<TARGET_FILE:${PROJECT_NAME}_core>")
 endfunction()
 
@@ -57,6 +72,8 @@ foreach(name
     crowds
     gas
     state_hash
+    threads
+    workers
     islands
     impulse
     handover
@@ -78,12 +95,8 @@ endforeach()
 
 add_core_test(chart)
 add_dependencies(${PROJECT_NAME}_test_chart ${PROJECT_NAME}_chart)
+add_dependencies(${PROJECT_NAME}_test_same_bits ${PROJECT_NAME}_hashes ${PROJECT_NAME}_hashes_O1)
 
-# The physics once more, counting the evaluations of each law; the libraries and their tests know nothing of it.
-add_library(${PROJECT_NAME}_counting STATIC EXCLUDE_FROM_ALL ${${PROJECT_NAME}_physics})
-target_compile_definitions(${PROJECT_NAME}_counting PUBLIC PING_PONG_SIM_COUNT)
-target_include_directories(${PROJECT_NAME}_counting PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include src/core)
-target_link_libraries(${PROJECT_NAME}_counting PUBLIC Eigen3::Eigen PRIVATE ${PROJECT_NAME}_options)
 set(counting_test ${PROJECT_NAME}_test_pay_for_what_you_name)
 if(CORE_ONLY)
   add_executable(${counting_test} test/core/test_pay_for_what_you_name.cpp)

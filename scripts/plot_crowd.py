@@ -31,10 +31,10 @@ def read(path):
     return about, rows
 
 
-def lines_of(rows, scene):
+def lines_of(rows, scene, threads=1.0):
     lines = {}
     for row in rows:
-        if row["scene"] == scene and row["done"]:
+        if row["scene"] == scene and row["threads"] == threads and row["done"]:
             lines.setdefault((row["engine"], row["variant"], row["step"]), []).append(row)
     return lines
 
@@ -108,6 +108,40 @@ def draw(rows, docs):
     save(figure, docs, "crowd.svg")
 
 
+def gains(rows, scene):
+    """What two threads gain: for each line of ours, balls and the ratio of costs."""
+    alone = {(line, p["balls"]): p for line, points in lines_of(rows, scene).items() for p in points}
+    for line, points in lines_of(rows, scene, 2.0).items():
+        pairs = [(p, alone[line, p["balls"]]) for p in points if (line, p["balls"]) in alone]
+        if pairs:
+            yield line, [(p["balls"], one["cost_us"] / p["cost_us"]) for p, one in pairs]
+
+
+def draw_threads(rows, docs):
+    figure, axis = plt.subplots(figsize=(6, 4.2))
+    for scene, filled in (("gas", True), ("crowd", False)):
+        for line, points in gains(rows, scene):
+            chosen = {**look(line), "markersize": 6}
+            if not filled:
+                chosen.update(markerfacecolor="none", markeredgewidth=1.2, linestyle="--")
+            axis.plot([p[0] for p in points], [p[1] for p in points], label=f"{name(line)}, {scene}", **chosen)
+    axis.axhline(2.0, color=INK, linewidth=1.0, linestyle=":")
+    axis.set_xscale("log")
+    axis.set_ylim(0.0, 2.2)
+    axis.set_title("one thread / two threads: cost", loc="left", fontsize=11, color=INK)
+    axis.set_xlabel("balls")
+    axis.legend(fontsize=9)
+    save(figure, docs, "crowd_threads.svg")
+
+
+def threads_table(rows):
+    text = ["| scene | engine | balls | cost with one thread / with two |", "| --- | --- | --- | --- |"]
+    for scene in SCENES:
+        for line, points in gains(rows, scene):
+            text += [f"| {scene} | {name(line)} | {balls:.0f} | {gain:.2f} |" for balls, gain in points]
+    return "\n".join(text)
+
+
 def size(length):
     return "0" if length == 0.0 else f"{1e3 * length:.2g} mm" if length >= 1e-5 else f"{length:.0e} m"
 
@@ -178,6 +212,14 @@ point would take more than a minute. Dotted: what a core can carry in real time.
 
 Memory is the peak of the whole process less what it held before the engine was made; "start" is from the scene to the first tick.
 
+## Threads
+
+![What two threads gain](chart/crowd_threads.svg)
+
+{threads_table(rows)}
+
+The result is the same, bit by bit; [crowds.md](crowds.md#threads) says how the work is shared.
+
 ## Soundness beside cost
 
 Gas, {most(rows, "gas"):.0f} balls. An elastic gas keeps its energy; what others show is what their contacts add or take.
@@ -202,6 +244,7 @@ def main():
         sys.exit(__doc__)
     about, rows = read(sys.argv[1])
     draw(rows, sys.argv[2])
+    draw_threads(rows, sys.argv[2])
     write_page(about, rows, sys.argv[2])
 
 

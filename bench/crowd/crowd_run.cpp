@@ -38,7 +38,7 @@ double memory(const std::string& key)
 class OurCrowd : public Engine
 {
 public:
-  OurCrowd(Scene scene, const std::string& variant, double step) : world_(prepared(std::move(scene), variant, step)) {}
+  OurCrowd(Scene scene, const CrowdPoint& point) : world_(prepared(std::move(scene), point)) {}
   void drive(std::size_t, const Twist&) override {}
   void advance(double duration) override
   {
@@ -52,10 +52,11 @@ public:
   double contacts = 0.0, events = 0.0;
 
 private:
-  static Scene prepared(Scene scene, const std::string& variant, double step)
+  static Scene prepared(Scene scene, const CrowdPoint& point)
   {
-    scene.method = methodFromName(variant);
-    scene.dt = step;
+    scene.method = methodFromName(point.variant);
+    scene.dt = point.step;
+    scene.threads = point.threads;
     return scene;
   }
   World world_;
@@ -72,7 +73,7 @@ public:
     const double before = memory("VmRSS:");
     const double start = now();
     if (point.engine->name == "ping_pong_sim")
-      engine_ = std::make_unique<OurCrowd>(scene_, point.variant, point.step);
+      engine_ = std::make_unique<OurCrowd>(scene_, point);
     else
       engine_ = point.engine->make(scene_, point.variant, point.step);
     ours_ = dynamic_cast<OurCrowd*>(engine_.get());

@@ -13,6 +13,7 @@ struct CrowdPoint
   const EngineKind* engine = nullptr;
   std::string variant;
   double step = 0.0;  ///< [s]; not looked at by `exact`
+  std::size_t threads = 1;  ///< of our own engine
 };
 
 struct CrowdResult

@@ -14,6 +14,8 @@ namespace ping_pong::bench
 {
 namespace
 {
+constexpr std::size_t kWorthSharing = 1000;  // balls among threads
+
 struct Options
 {
   std::string out, commit = "unknown";
@@ -52,6 +54,7 @@ std::vector<CrowdPoint> points()
         {
           if (variant == "exact" && step < 5e-3) continue;  // it takes no steps
           if (ours || engine.name == "ode" || engine.name == "bullet") all.push_back({&engine, variant, step});
+          if (ours && step == 5e-3) all.push_back({&engine, variant, step, 2});
         }
   }
   return all;
@@ -68,8 +71,8 @@ std::string loadNow()
 void writeRow(std::FILE* file, const CrowdScene& scene, const CrowdPoint& point, std::size_t balls, const CrowdResult& r)
 {
   const double n = static_cast<double>(balls);
-  std::fprintf(file, "%s,%s,%s,%g,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%016llx\n", scene.name.c_str(),
-               point.engine->name.c_str(), point.variant.c_str(), point.variant == "exact" ? 0.0 : point.step, balls, r.done,
+  std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%016llx\n", scene.name.c_str(),
+               point.engine->name.c_str(), point.variant.c_str(), point.variant == "exact" ? 0.0 : point.step, point.threads, balls, r.done,
                r.start, r.simulated, 1e6 * r.cost / n, r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap,
                r.escaped, static_cast<unsigned long long>(r.hash));
   std::fflush(file);
@@ -94,7 +97,7 @@ void measureAll(const Options& options)
   const Provenance from = provenance(options.commit);
   std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(),
                from.compiler.c_str(), from.commit.c_str(), loadNow().c_str());
-  std::fprintf(file, "scene,engine,variant,step,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"
+  std::fprintf(file, "scene,engine,variant,step,threads,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"
                      "overlap_m,escaped,hash\n");
   CrowdEffort effort;
   if (options.quick) effort = {0.1, 5.0};
@@ -104,11 +107,12 @@ void measureAll(const Options& options)
       for (double n = 1.0; n <= 1.0001 * static_cast<double>(most); n *= std::sqrt(10.0))
       {
         const auto balls = static_cast<std::size_t>(n + 0.5);
+        if (point.threads > 1 && balls < kWorthSharing) continue;
         if (!point.engine->refuse(crowdOf(scene, balls), point.variant).empty()) break;
         const CrowdResult result = bestOf(point, scene, balls, effort, options.quick ? 1 : 3);
         writeRow(file, scene, point, balls, result);
-        std::fprintf(stderr, "%s %s %s %g, %zu balls: %.4g us per ball and simulated second%s\n", scene.name.c_str(),
-                     point.engine->name.c_str(), point.variant.c_str(), point.step, balls,
+        std::fprintf(stderr, "%s %s %s %g, %zu threads, %zu balls: %.4g us per ball and simulated second%s\n", scene.name.c_str(),
+                     point.engine->name.c_str(), point.variant.c_str(), point.step, point.threads, balls,
                      1e6 * result.cost / static_cast<double>(balls), result.done ? "" : ", not done");
         if (!result.done || 4.0 * result.wall > effort.most) break;  // more balls would take too long
       }

@@ -20,6 +20,8 @@ constexpr double kMinTolerance = 1e-12, kMaxTolerance = 0.1;
 
 constexpr std::size_t kMaxBalls = 100000;  ///< that a scene file may hold
 
+constexpr std::size_t kMaxThreads = 64;  ///< that may share a scene
+
 struct LoadOptions
 {
   std::uint64_t seed = 0;   ///< of the scene's random patterns

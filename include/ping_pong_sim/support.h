@@ -22,11 +22,11 @@ struct Supports
   static constexpr std::size_t kMax = 8;
   struct Surface
   {
-    std::size_t body = kNone;
-    std::size_t shape = kNone;
+    std::uint32_t body = 0;
+    std::uint32_t shape = 0;
   };
   std::array<Surface, kMax> list;
-  std::size_t count = 0;
+  std::uint32_t count = 0;
   double since = 0.0;  ///< world time at which its bounces ended [s]
 
   bool has(std::size_t body, std::size_t shape) const;

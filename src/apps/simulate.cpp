@@ -50,6 +50,7 @@ Scene prepareScene(const SimulateOptions& options)
   if (options.method) scene.method = *options.method;
   if (options.dt) scene.dt = *options.dt;
   if (options.tolerance) scene.tolerance = *options.tolerance;
+  if (options.threads) scene.threads = *options.threads;
   return scene;
 }
 

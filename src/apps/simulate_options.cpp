@@ -15,7 +15,7 @@ const option kOptions[] = {
     {"duration", required_argument, nullptr, 'd'}, {"rate", required_argument, nullptr, 'r'},
     {"method", required_argument, nullptr, 'm'},   {"dt", required_argument, nullptr, 't'},
     {"tolerance", required_argument, nullptr, 'e'}, {"seed", required_argument, nullptr, 's'},
-    {"balls", required_argument, nullptr, 'b'},
+    {"balls", required_argument, nullptr, 'b'},    {"threads", required_argument, nullptr, 'n'},
     {"contacts", required_argument, nullptr, 'c'}, {"help", no_argument, nullptr, 'h'},
     {nullptr, 0, nullptr, 0},
 };
@@ -53,12 +53,11 @@ std::uint64_t seedFrom(const std::string& text)
   return seed;
 }
 
-std::size_t ballsFrom(const std::string& text)
+std::size_t countFrom(const std::string& option, const std::string& text, std::size_t most)
 {
-  std::uint64_t balls = 0;
-  if (!parseInteger(text, balls) || balls < 1 || balls > kMaxBalls)
-    fail("--balls", text, "an integer from 1 to " + std::to_string(kMaxBalls));
-  return balls;
+  std::uint64_t count = 0;
+  if (!parseInteger(text, count) || count < 1 || count > most) fail(option, text, "an integer from 1 to " + std::to_string(most));
+  return count;
 }
 
 Method methodFrom(const std::string& text)
@@ -96,7 +95,10 @@ void apply(int letter, const std::string& value, const std::string& word, Simula
       options.seed = seedFrom(value);
       break;
     case 'b':
-      options.balls = ballsFrom(value);
+      options.balls = countFrom("--balls", value, kMaxBalls);
+      break;
+    case 'n':
+      options.threads = countFrom("--threads", value, kMaxThreads);
       break;
     case 'c':
       options.contacts_path = fileName("--contacts", value);
@@ -130,6 +132,7 @@ const std::string kSimulateHelp =
     "  --tolerance E     position error that `exact` may have after a rally [m], instead of the scene's\n"
     "  --seed N          of random patterns, instead of the scene's\n"
     "  --balls N         of the random pattern, instead of the scene's; its room grows or shrinks with them\n"
+    "  --threads N       that share a crowd, instead of the scene's; the output is the same for any number\n"
     "  --contacts FILE   writes each impact as CSV to FILE\n"
     "  --help            this text\n"
     "Exit status: 0 the run is whole; 1 output could not be written; 2 bad input; 3 the world reported a problem.\n";

@@ -27,6 +27,7 @@ struct SimulateOptions
   std::optional<double> tolerance;    ///< instead of the scene's [m]
   std::optional<std::uint64_t> seed;  ///< instead of the scene's
   std::optional<std::size_t> balls;   ///< of the random pattern, instead of the scene's
+  std::optional<std::size_t> threads; ///< instead of the scene's
   std::string contacts_path;          ///< empty: contacts are not written
   bool help = false;
 };

@@ -9,69 +9,128 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kManyCells = 64;         // a box over more cells than this is large
-constexpr double kCellsPerBox = 2.0;   // cells of the grid for each box, at most
-constexpr double kSpread = 3.0;        // the grid covers so many standard deviations; boxes outside are in its outer cells
-constexpr double kCellInBoxes = 1.5;   // edge of a cell, in mean edges of a box
+constexpr double kCellsPerBox = 4.0;  // cells of the grid for each box, at most
+constexpr double kSpread = 3.0;     // the grid covers so many standard deviations; boxes outside are in its outer cells
+constexpr double kLongEdges = 4.0;  // longer than the mean edge by so many standard deviations: in no cell
+constexpr double kShare = 0.99;     // of a cell, that a box in it is long: rounding puts nobody two cells away
+constexpr std::size_t kGrain = 512;  // boxes that a worker takes at a time
+}  // namespace
 
-bool before(const BroadPhase::Pair& p, const BroadPhase::Pair& q)
+// What the cells are made for. Sums of workers are added in any order: cells may differ by rounding, pairs do not.
+struct BroadPhase::Sums
 {
-  return p.a != q.a ? p.a < q.a : p.b < q.b;
+  double n = 0.0, edge = 0.0, edge_squared = 0.0;
+  std::array<double, 3> low{}, low_squared{};
+  std::array<float, 3> least{1e30f, 1e30f, 1e30f}, greatest{-1e30f, -1e30f, -1e30f};
+
+  void add(const CoarseBox& box)
+  {
+    const double e = box.edge();
+    n += 1.0;
+    edge += e;
+    edge_squared += e * e;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const double x = box.low[i];
+      low[i] += x;
+      low_squared[i] += x * x;
+      least[i] = std::min(least[i], box.low[i]);
+      greatest[i] = std::max(greatest[i], box.low[i]);
+    }
+  }
+  void add(const Sums& other)
+  {
+    n += other.n;
+    edge += other.edge;
+    edge_squared += other.edge_squared;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      low[i] += other.low[i];
+      low_squared[i] += other.low_squared[i];
+      least[i] = std::min(least[i], other.least[i]);
+      greatest[i] = std::max(greatest[i], other.greatest[i]);
+    }
+  }
+};
+
+namespace
+{
+double deviation(double sum, double sum_of_squares, double n)
+{
+  const double mean = sum / n;
+  return std::sqrt(std::max(sum_of_squares / n - mean * mean, 0.0));
 }
 }  // namespace
 
 void BroadPhase::reserve(std::size_t boxes)
 {
-  start_.reserve(static_cast<std::size_t>(kCellsPerBox) * boxes + 3);
-  entries_.reserve(8 * boxes);
-  large_.reserve(boxes);
-  ranges_.reserve(boxes);
-  pairs_.reserve(8 * boxes);
+  start_.reserve(static_cast<std::size_t>(4.0 * kCellsPerBox) * boxes + 64);  // with empty ones around the grid
+  corners_.reserve(boxes);
+  entries_.reserve(boxes);
   added_start_.reserve(start_.capacity());
   added_.reserve(16 * boxes);
   added_large_.reserve(boxes);
 }
 
-void BroadPhase::layOut(const std::vector<Box>& boxes)
+void BroadPhase::layOut(const std::vector<CoarseBox>& boxes, Workers& workers)
 {
-  double n = 0.0;
-  Vector3d sum = Vector3d::Zero();
-  double edge = 0.0;
-  for (const Box& box : boxes)
+  Sums sums;
+  std::mutex adding;
+  workers.each(boxes.size(), 8 * kGrain,
+               [&](std::size_t begin, std::size_t end, std::size_t)
+               {
+                 Sums part;
+                 for (std::size_t i = begin; i < end; ++i)
+                   if (!boxes[i].empty()) part.add(boxes[i]);
+                 const std::lock_guard<std::mutex> lock(adding);
+                 sums.add(part);
+               });
+  const double n = std::max(sums.n, 1.0);
+  longest_ = static_cast<float>(sums.edge / n + kLongEdges * deviation(sums.edge, sums.edge_squared, n)) + 1e-9f;
+  std::array<double, 3> width{};
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    if (box.empty()) continue;
-    n += 1.0;
-    sum += box.low;
-    edge += (box.high - box.low).maxCoeff();
+    const double mean = sums.low[i] / n, spread = kSpread * deviation(sums.low[i], sums.low_squared[i], n);
+    origin_[i] = sums.n > 0.0 ? std::max<double>(sums.least[i], mean - spread) : 0.0;
+    width[i] = sums.n > 0.0 ? std::max(std::min<double>(sums.greatest[i], mean + spread) - origin_[i], 0.0) : 0.0;
   }
-  n = std::max(n, 1.0);
-  const Vector3d mean = sum / n;
-  Vector3d square = Vector3d::Zero();
-  for (const Box& box : boxes)
-    if (!box.empty()) square += (box.low - mean).cwiseAbs2();
-  const Vector3d half = kSpread * (square / n).cwiseSqrt();
-  origin_ = mean - half;
-  double size = std::max(kCellInBoxes * edge / n, 1e-9);
-  // Fewer and larger cells, until there are not many more than boxes.
+  // Fewer and larger cells, until there are not many more than boxes, and the corners of all have a number.
+  const double most_cells = static_cast<double>(kFieldMask) / kUnits - 2.0;
+  double size = longest_ / kShare;
   for (;; size *= 1.25)
   {
     double cells = 1.0;
-    for (int i = 0; i < 3; ++i) cells *= std::floor(2.0 * half[i] / size) + 1.0;
-    if (cells <= kCellsPerBox * n + 1.0) break;
+    for (const double w : width) cells *= std::floor(w / size) + 1.0;
+    if (cells <= kCellsPerBox * n + 1.0 && *std::max_element(width.begin(), width.end()) < most_cells * size) break;
   }
-  cells_per_metre_ = 1.0 / size;
-  for (int i = 0; i < 3; ++i) count_[i] = static_cast<int>(2.0 * half[i] / size) + 1;
+  units_per_metre_ = kUnits / size;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    count_[i] = static_cast<int>(width[i] / size) + 1;
+    last_[i] = kUnits * count_[i] - 1;
+  }
 }
 
-BroadPhase::Range BroadPhase::cellsOf(const Box& box) const
+// Rounded down, high corners too: what overlaps still does.
+BroadPhase::Corner BroadPhase::cornerAt(const float* p) const
 {
-  if (box.empty()) return {{0, 0, 0}, {-1, -1, -1}};
+  Corner corner = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto axis = static_cast<std::size_t>(i);
+    const double units = (p[i] - origin_[axis]) * units_per_metre_;
+    corner |= static_cast<Corner>(static_cast<std::int32_t>(std::clamp(units, 0.0, last_[axis]))) << (kField * i);
+  }
+  return corner;
+}
+
+BroadPhase::Range BroadPhase::cellsOf(Corner low, Corner high, int cells_before) const
+{
   Range range;
   for (int i = 0; i < 3; ++i)
   {
-    const double last = count_[i] - 1;
-    range.low[i] = static_cast<int>(std::clamp((box.low[i] - origin_[i]) * cells_per_metre_, 0.0, last));
-    range.high[i] = static_cast<int>(std::clamp((box.high[i] - origin_[i]) * cells_per_metre_, 0.0, last));
+    range.low[static_cast<std::size_t>(i)] = std::max(field(low, i) / kUnits - cells_before, 0);
+    range.high[static_cast<std::size_t>(i)] = field(high, i) / kUnits;
   }
   return range;
 }
@@ -81,98 +140,64 @@ double BroadPhase::Range::cells() const
   return (high[0] - low[0] + 1.0) * (high[1] - low[1] + 1.0) * (high[2] - low[2] + 1.0);
 }
 
-template <class Action>
-void BroadPhase::eachCell(const Range& r, const Action& action) const
+void BroadPhase::fill(const std::vector<CoarseBox>& boxes, Workers& workers)
 {
-  for (int z = r.low[2]; z <= r.high[2]; ++z)
-    for (int y = r.low[1]; y <= r.high[1]; ++y)
-      for (int x = r.low[0]; x <= r.high[0]; ++x) action(static_cast<std::size_t>(cell(x, y, z)));
-}
-
-void BroadPhase::fill(const std::vector<Box>& boxes)
-{
-  start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
-  ranges_.resize(boxes.size());
-  large_.clear();
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
-  {
-    ranges_[i] = cellsOf(boxes[i]);
-    if (ranges_[i].cells() > kManyCells)
-      large_.push_back(i);
+  const auto n = static_cast<std::uint32_t>(boxes.size());
+  corners_.resize(n);
+  workers.each(n, kGrain,
+               [&](std::size_t begin, std::size_t end, std::size_t)
+               {
+                 for (std::size_t i = begin; i < end; ++i)
+                   if (boxes[i].empty())
+                     corners_[i] = {kEmpty, kEmpty};
+                   else if (boxes[i].edge() > longest_)
+                     corners_[i] = {kLarge, kLarge};
+                   else
+                     corners_[i] = {cornerAt(boxes[i].low), cornerAt(boxes[i].high)};
+               });
+  start_.assign(cell(count_[0], count_[1], count_[2]) + 2, 0);
+  large_ = 0;
+  for (const auto& [low, high] : corners_)
+    if (low < kLarge)
+      ++start_[cellOf(low)];
     else
-      eachCell(ranges_[i], [this](std::size_t c) { ++start_[c]; });
-  }
+      large_ += low == kLarge;
   std::uint32_t total = 0;
-  for (std::uint32_t& start : start_) start = total += start;  // ends of the cells; filled from behind they become starts
-  entries_.resize(total);
-  for (std::uint32_t i = static_cast<std::uint32_t>(boxes.size()); i-- > 0;)
-    if (ranges_[i].cells() <= kManyCells) eachCell(ranges_[i], [&](std::size_t c) { entries_[--start_[c]] = i; });
+  for (std::uint32_t& start : start_)
+    start = total += start;  // ends of the cells; filled from behind they become starts
+  entries_.resize(total + large_);
+  std::size_t next_large = entries_.size();
+  for (std::uint32_t i = n; i-- > 0;)
+  {
+    const auto [low, high] = corners_[i];
+    if (low < kLarge)
+      entries_[--start_[cellOf(low)]] = {low, high, i};
+    else if (low == kLarge)
+      entries_[--next_large] = {cornerAt(boxes[i].low), cornerAt(boxes[i].high), i};
+  }
 }
 
-const std::vector<BroadPhase::Pair>& BroadPhase::findPairs(const std::vector<Box>& boxes)
+void BroadPhase::build(const std::vector<CoarseBox>& boxes, Workers& workers)
 {
   count(Law::BroadPhase);
-  layOut(boxes);
-  fill(boxes);
+  layOut(boxes, workers);
+  fill(boxes, workers);
   added_.clear();
   added_large_.clear();
-  added_start_.assign(start_.size() - 1, kNoEntry);
-  pairs_.clear();
-  for (std::size_t c = 0; c + 1 < start_.size(); ++c)
-    for (std::uint32_t p = start_[c]; p < start_[c + 1]; ++p)
-      for (std::uint32_t q = p + 1; q < start_[c + 1]; ++q)
-      {
-        const std::uint32_t a = entries_[p], b = entries_[q];
-        if (!boxes[a].overlaps(boxes[b])) continue;
-        // Boxes that share cells tell of it in the first of them only.
-        const Range &ra = ranges_[a], &rb = ranges_[b];
-        const int first = cell(std::max(ra.low[0], rb.low[0]), std::max(ra.low[1], rb.low[1]),
-                               std::max(ra.low[2], rb.low[2]));
-        if (first == static_cast<int>(c)) pairs_.push_back({a, b});
-      }
-  for (std::size_t l = 0; l < large_.size(); ++l)
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    {
-      const std::uint32_t big = large_[l];
-      if (i == big || !boxes[i].overlaps(boxes[big])) continue;
-      const bool other_large = std::binary_search(large_.begin(), large_.end(), i);
-      if (!other_large || i > big) pairs_.push_back({std::min(i, big), std::max(i, big)});
-    }
-  std::sort(pairs_.begin(), pairs_.end(), before);
-  return pairs_;
 }
 
-void BroadPhase::findOverlapping(const Box& box, const std::vector<Box>& boxes, std::vector<std::uint32_t>& found) const
+void BroadPhase::add(std::uint32_t index, const CoarseBox& box)
 {
-  found.clear();
-  const Range r = cellsOf(box);
-  for (int z = r.low[2]; z <= r.high[2]; ++z)
-    for (int y = r.low[1]; y <= r.high[1]; ++y)
-      for (int x = r.low[0]; x <= r.high[0]; ++x)
-      {
-        const std::size_t c = static_cast<std::size_t>(cell(x, y, z));
-        for (std::uint32_t p = start_[c]; p < start_[c + 1]; ++p)
-          if (boxes[entries_[p]].overlaps(box)) found.push_back(entries_[p]);
-      }
-  for (const std::uint32_t i : large_)
-    if (boxes[i].overlaps(box)) found.push_back(i);
-}
-
-void BroadPhase::add(std::uint32_t index, const Box& box)
-{
-  const Range range = cellsOf(box);
+  const Range range = cellsOf(cornerAt(box.low), cornerAt(box.high), 0);
   if (range.cells() > kManyCells) return added_large_.push_back(index);
-  eachCell(range, [&](std::size_t c) {
-    added_.push_back({index, added_start_[c]});
-    added_start_[c] = static_cast<std::uint32_t>(added_.size() - 1);
-  });
-}
-
-void BroadPhase::findAdded(const Box& box, std::vector<std::uint32_t>& found) const
-{
-  found = added_large_;
-  eachCell(cellsOf(box), [&](std::size_t c) {
-    for (std::uint32_t e = added_start_[c]; e != kNoEntry; e = added_[e].next) found.push_back(added_[e].index);
-  });
+  if (added_.empty()) added_start_.assign(start_.size() - 1, kNoEntry);
+  for (int z = range.low[2]; z <= range.high[2]; ++z)
+    for (int y = range.low[1]; y <= range.high[1]; ++y)
+      for (int x = range.low[0]; x <= range.high[0]; ++x)
+      {
+        const std::size_t c = cell(x, y, z);
+        added_.push_back({index, added_start_[c]});
+        added_start_[c] = static_cast<std::uint32_t>(added_.size() - 1);
+      }
 }
 }  // namespace ping_pong

@@ -6,12 +6,12 @@
 namespace ping_pong
 {
 /// A new record at the end of the list, to be filled in place.
-inline Contact& newContact(WorldState& world, std::size_t i)
+inline Contact& newContact(Records& records, const BallRecord& ball, std::size_t i)
 {
-  world.contacts.emplace_back();
-  world.origins.push_back({static_cast<std::uint32_t>(i), world.balls[i].run});
-  ++world.status.contacts;
-  return world.contacts.back();
+  records.contacts.emplace_back();
+  records.origins.push_back({static_cast<std::uint32_t>(i), ball.run});
+  ++records.status.contacts;
+  return records.contacts.back();
 }
 
 /// What an impact changes of a ball.
@@ -24,14 +24,13 @@ struct Impact
   const Vector3d& w_after;
 };
 
-/// Ball i has hit a body.
+/// A ball, the i-th of the world, has hit a body.
 /// @param n_W  normal of the surface, towards the ball
 /// @param u  velocity of the touched point of the body
-inline void recordBodyContact(WorldState& world, std::size_t i, const Event& event, const Impact& impact, const Vector3d& n_W,
-                              const Vector3d& u, double t)
+inline void recordBodyContact(Records& records, const BallRecord& ball, std::size_t i, const Event& event,
+                              const Impact& impact, const Vector3d& n_W, const Vector3d& u, double t)
 {
-  const BallRecord& ball = world.balls[i];
-  Contact& contact = newContact(world, i);
+  Contact& contact = newContact(records, ball, i);
   contact.time = t;
   contact.ball = ball.id;
   contact.body = event.other;

@@ -30,7 +30,7 @@ void foreseeBalls(WorldState& world, const Window& window, std::size_t i, double
 {
   world.balls[i].next_ball = Event();
   for (std::size_t m = 0; m < window.count; ++m)
-    if (window.members[m] != i) foreseeBall(world, i, window.members[m], resume, window.end);
+    if (window.members[m] != i) foreseeBall(world, i, window.members[m], resume, window.end, *window.records);
 }
 
 void foreseeBodies(WorldState& world, const Window& window, std::size_t i, double t)
@@ -48,7 +48,7 @@ void foreseeAll(WorldState& world, const Window& window, std::size_t i, double t
 void changePath(WorldState& world, const Window& window, std::size_t i, const BallState& state, double t)
 {
   BallRecord& ball = world.balls[i];
-  if (window.sweeps) noteFlown(world, window, i, t);
+  if (window.work) noteFlown(world, window, i, t);
   planPath(world, ball, state, t, window.smooth_until);
 }
 
@@ -142,7 +142,7 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   const BallState before = state;
   bounce(law, ball.params, state, u, gap.n_W);
   if (worthAReport(ball, -gap.rate))
-    recordBodyContact(world, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB}, gap.n_W, u, t);
+    recordBodyContact(*window.records, ball, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB}, gap.n_W, u, t);
   settle(world, ball, event, law, frame, state, gap.n_W.dot(state.v_WB - u), t);
   restart(world, window, i, state, t);
 }
@@ -156,12 +156,11 @@ double separationSpeed(const BallRecord& a, const BallRecord& b, double closing,
   return pressed ? std::max(closing, kHopSpeed) : closing;
 }
 
-void recordBallContact(WorldState& world, std::size_t i, std::size_t k, const BallState& before_a,
+void recordBallContact(Records& records, const BallRecord& a, std::size_t i, const BallRecord& b, const BallState& before_a,
                        const BallState& after_a, const Vector3d& v_other, const Vector3d& n, const Vector3d& impulse,
                        double t)
 {
-  const BallRecord &a = world.balls[i], &b = world.balls[k];
-  Contact& contact = newContact(world, i);
+  Contact& contact = newContact(records, a, i);
   contact.time = t;
   contact.ball = a.id;
   contact.with_ball = true;
@@ -190,16 +189,13 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
   const Surface& law = world.surface(a, b);
   const Vector3d pull = a.path.acceleration(t - a.path.start) - b.path.acceleration(t - b.path.start);
   if (law.restitutionAt(closing) < 1.0)
-  {
-    countCrowding(a, t);
-    countCrowding(b, t);
-  }
+    for (BallRecord* ball : {&a, &b}) window.records->crowding |= countCrowding(*ball, t);
   const double speed = separationSpeed(a, b, closing, law.restitutionAt(closing), n.dot(pull) < 0.0);
   const BallState before_a = state_a;
   const Vector3d p_WC = state_a.p_WB - a.params.radius * n;
   const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
   const Vector3d impulse = part(law, speed, a.params, state_a, b.params, state_b, n);
-  if (worthAReport(a, closing)) recordBallContact(world, i, k, before_a, state_a, v_other, n, impulse, t);
+  if (worthAReport(a, closing)) recordBallContact(*window.records, a, i, b, before_a, state_a, v_other, n, impulse, t);
   changePath(world, window, i, state_a, t);
   changePath(world, window, k, state_b, t);
   foreseeAll(world, window, i, t);
@@ -268,6 +264,7 @@ void startWindow(WorldState& world, double end)
     stopped |= body.moved && !body.moving;
     moving |= body.moving;
   }
+  if (!moving && !stopped && !world.any_moving) return;
   world.any_moving = moving;
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
@@ -301,16 +298,18 @@ void restartExact(WorldState& world)
 
 bool runTogether(WorldState& world, const Window& window)
 {
+  StepStatus& status = window.records->status;
   const std::size_t limit = kEventsPerAdvance + kEventsPerBall * world.balls.size();
+  const std::size_t last = status.events + limit - std::min(limit, world.status.events);
   std::size_t events = 0;
   for (std::size_t i = earliestBall(world, window); i != kNone; i = earliestBall(world, window))
   {
     if (soonest(world.balls[i]).time > window.end) return true;
     if (++events > window.most_events) return false;
-    if (++world.status.events > limit)
+    if (++status.events > last)
     {
-      world.status.event_limit = true;
-      return false;
+      status.event_limit = true;
+      return true;
     }
     handle(world, window, i);
   }
@@ -325,7 +324,7 @@ void runExact(WorldState& world, double end)
     const std::size_t only = 0;
     if (!world.pile.ball.empty()) leavePile(world, 0, world.time, end);
     world.balls[only].next_ball = Event();  // another one may have been there
-    runTogether(world, {world.time, end, end, &only, 1, false});
+    runTogether(world, {world.time, end, end, &only, 1, &world});
   }
   else if (!world.balls.empty())
     runIslands(world, end);

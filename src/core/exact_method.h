@@ -18,11 +18,12 @@ struct Window
   double smooth_until = 0.0;              ///< the motions of all paddles are smooth until then [s]
   const std::size_t* members = nullptr;   ///< indices of balls
   std::size_t count = 0;
-  bool sweeps = false;                    ///< note the boxes that the balls sweep
+  Records* records = nullptr;             ///< of the world; of the worker,
+  IslandWork* work = nullptr;             ///< who also notes what the balls have flown. Null: nobody will ask
   std::size_t most_events = ~std::size_t{0};  ///< more than that are not handled
 };
 
-/// Handles all events of these balls up to the end of the window, one after the other; false if there are too many.
+/// Handles all events of these balls up to the end of the window, one after the other; false if there are more than most_events.
 /// Their next_ball must be true or void.
 bool runTogether(WorldState& world, const Window& window);
 

@@ -7,16 +7,34 @@ namespace ping_pong
 {
 namespace
 {
-using Piece = IslandRecords::Piece;
+using Piece = IslandWork::Piece;
 
-// The path that a ball is on, as a piece that is as long as the window.
-Piece lastPiece(const WorldState& world, const Window& window, std::size_t i)
+// Of a ball's flight in the window: noted, or the path that it is on now.
+struct View
+{
+  ParabolaView path;
+  double until;
+  bool parabola;
+};
+
+constexpr std::uint16_t kMostPieces = 32;  // of a ball in a window; from then on it may have been anywhere near
+
+// Calls look(piece) for every piece that a ball has flown, the last one first, until one answers yes.
+template <class Look>
+bool anyPiece(const WorldState& world, const Window& window, std::size_t i, const Look& look)
 {
   const Segment& path = world.balls[i].path;
-  return {asParabola(path), window.end, world.islands.last_piece[i], isParabola(path)};
+  if (look(View{ParabolaView(path), window.end, isParabola(path)})) return true;
+  for (std::uint32_t entry = world.islands.last_piece[i]; entry != IslandRecords::kNoEntry;)
+  {
+    const Piece& piece = world.islands.piece(entry);
+    if (look(View{ParabolaView(piece.path), piece.until, piece.parabola})) return true;
+    entry = piece.earlier;
+  }
+  return false;
 }
 
-bool meet(const Piece& a, const Piece& b, double reach)
+bool meet(const View& a, const View& b, double reach)
 {
   const double from = std::max(a.path.start, b.path.start);
   const double until = std::min(a.until, b.until);
@@ -31,16 +49,10 @@ bool asLittleIsKnown(const Piece& piece, const Segment& path)
   return !piece.parabola && !isParabola(path);
 }
 
-// Room for another piece, with something left for the first pieces of other balls.
-bool hasRoom(const IslandRecords& islands)
-{
-  return islands.pieces.size() + islands.last_piece.size() < islands.pieces.capacity();
-}
-
 // Paths that nothing has bent in this window are searched whatever they are.
-bool meetOnWholePaths(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
+bool meetOnWholePaths(const BallRecord& a, const BallRecord& b, const Window& window)
 {
-  const BallRecord &a = world.balls[i], &b = world.balls[k];
+  if (a.path.degree == 0 && b.path.degree == 0) return false;
   const double from = std::max(a.path.start, b.path.start);
   return firstContact(a.path, a.params.radius, b.path, b.params.radius, from, window.end).time < kNever;
 }
@@ -49,45 +61,53 @@ bool meetOnWholePaths(const WorldState& world, const Window& window, std::size_t
 void noteFlown(WorldState& world, const Window& window, std::size_t i, double t)
 {
   IslandRecords& islands = world.islands;
-  BallRecord& ball = world.balls[i];
-  ball.swept.add(boxOf(ball, window.start, t));
+  IslandWork& work = *window.work;
+  const BallRecord& ball = world.balls[i];
+  islands.swept[i].add(CoarseBox(boxOf(ball, window.start, t)));
   const std::uint32_t last = islands.last_piece[i];
-  if (last != IslandRecords::kNoPiece && (asLittleIsKnown(islands.pieces[last], ball.path) || !hasRoom(islands)))
+  std::uint16_t count = 1;
+  if (last != IslandRecords::kNoEntry)
   {
-    islands.pieces[last].parabola = false;
-    islands.pieces[last].until = t;
-    return;
+    Piece& before = work.pieces[IslandRecords::indexOf(last)];  // whoever runs a ball on has noted what it has flown
+    if (asLittleIsKnown(before, ball.path) || before.count == kMostPieces)
+    {
+      before.parabola = false;
+      before.until = t;
+      return;
+    }
+    count = static_cast<std::uint16_t>(before.count + 1);
   }
-  islands.pieces.push_back({asParabola(ball.path), t, last, isParabola(ball.path)});
-  islands.last_piece[i] = static_cast<std::uint32_t>(islands.pieces.size() - 1);
+  islands.last_piece[i] = IslandRecords::entry(work, work.pieces.size());
+  work.pieces.push_back({asParabola(ball.path), t, last, count, isParabola(ball.path)});
 }
 
-void forgetFlown(WorldState& world, std::size_t i)
+void forgetFlown(IslandRecords& islands, std::size_t i)
 {
-  world.balls[i].swept = Box();
-  world.islands.last_piece[i] = IslandRecords::kNoPiece;
+  islands.swept[i] = CoarseBox();
+  islands.last_piece[i] = IslandRecords::kNoEntry;
+}
+
+void noteLast(WorldState& world, const Window& window, std::size_t i)
+{
+  IslandRecords& islands = world.islands;
+  const CoarseBox last(boxOf(world.balls[i], window.start, window.end));
+  if (islands.last_piece[i] == IslandRecords::kNoEntry)
+    islands.swept[i] = last;
+  else
+    islands.swept[i].add(last);
 }
 
 bool metInFlight(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
   const IslandRecords& islands = world.islands;
-  const auto next = [&](Piece& piece) {
-    const std::uint32_t earlier = piece.earlier;
-    if (earlier == IslandRecords::kNoPiece) return false;
-    piece = islands.pieces[earlier];
-    return true;
-  };
-  if (islands.last_piece[i] == IslandRecords::kNoPiece && islands.last_piece[k] == IslandRecords::kNoPiece)
-    return meetOnWholePaths(world, window, i, k);
-  const double reach = world.balls[i].params.radius + world.balls[k].params.radius;
-  Piece mine = lastPiece(world, window, i);
-  do
-  {
-    Piece other = lastPiece(world, window, k);
-    do
-      if (meet(mine, other, reach)) return true;
-    while (next(other));
-  } while (next(mine));
-  return false;
+  const BallRecord &a = world.balls[i], &b = world.balls[k];
+  const bool whole =
+      islands.last_piece[i] == IslandRecords::kNoEntry && islands.last_piece[k] == IslandRecords::kNoEntry;
+  const bool alike = isParabola(a.path) && isParabola(b.path) && a.path.c[2] == b.path.c[2];
+  if (whole && !alike) return meetOnWholePaths(a, b, window);
+  const double reach = a.params.radius + b.params.radius;
+  return anyPiece(world, window, i,
+                  [&](const View& mine)
+                  { return anyPiece(world, window, k, [&](const View& other) { return meet(mine, other, reach); }); });
 }
 }  // namespace ping_pong

@@ -9,7 +9,10 @@ namespace ping_pong
 void noteFlown(WorldState& world, const Window& window, std::size_t i, double t);
 
 /// As if ball i had not flown in this window.
-void forgetFlown(WorldState& world, std::size_t i);
+void forgetFlown(IslandRecords& islands, std::size_t i);
+
+/// To be called when ball i has no more events in this window: the path that it is on takes it to the end.
+void noteLast(WorldState& world, const Window& window, std::size_t i);
 
 /// Whether balls i and k, flown apart, come into each other's way in the window. A piece that is no parabola may say so too
 /// often.

@@ -8,7 +8,13 @@ namespace
 {
 Event toEvent(const Detection& found, Event::Kind kind, std::size_t other, std::size_t shape, unsigned version)
 {
-  return {found.undecided ? Event::Kind::LookAgain : kind, found.time, other, shape, version};
+  Event event;
+  event.kind = found.undecided ? Event::Kind::LookAgain : kind;
+  event.time = found.time;
+  event.other = static_cast<std::uint32_t>(other);
+  event.shape = static_cast<std::uint32_t>(shape);
+  event.version = version;
+  return event;
 }
 
 bool liesStill(const BallRecord& ball)
@@ -53,8 +59,16 @@ void lookAtMovingBody(const BallRecord& ball, const BodyRecord& body, std::size_
 Event endOfPath(const BallRecord& ball, double t)
 {
   Event end;
-  if (ball.path.end < kNever) end = {Event::Kind::LeaveFace, ball.path.end, kNone, kNone, 0};
-  if (!liesStill(ball) && t + kHorizon < end.time) end = {Event::Kind::LookAgain, t + kHorizon, kNone, kNone, 0};
+  if (ball.path.end < kNever)
+  {
+    end.kind = Event::Kind::LeaveFace;
+    end.time = ball.path.end;
+  }
+  if (!liesStill(ball) && t + kHorizon < end.time)
+  {
+    end.kind = Event::Kind::LookAgain;
+    end.time = t + kHorizon;
+  }
   return end;
 }
 }  // namespace
@@ -73,12 +87,13 @@ void foresee(WorldState& world, std::size_t i, double t)
     if (!world.bodies[b].moving) lookAtStillBody(ball, world.bodies[b], b, t, way, ball.next);
 }
 
-void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end)
+void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end,
+                 Records& records)
 {
   BallRecord& mine = world.balls[i];
   BallRecord& other = world.balls[k];
   if (other.away() || mine.away() || (liesStill(mine) && liesStill(other))) return;
-  ++world.islands.pair_searches;
+  ++records.pair_searches;
   const double until = std::min(mine.next_ball.time, window_end);
   const double from = std::max({mine.path.start, other.path.start, resume});
   const BallRecord &first = world.balls[std::min(i, k)], &second = world.balls[std::max(i, k)];

@@ -20,7 +20,7 @@ void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end
 /// Looks whether ball i meets ball k up to window_end, before it meets another one, and tells both. The search begins where
 /// the later of the two paths does, and takes the balls in the order of the list: its answer is the same bits in any window.
 /// @param resume  begin no earlier than this: where a search was cut short [s]
-void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end);
+void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end, Records& records);
 
 /// False if the other has changed its path or pose since the event was foreseen.
 bool stillTrue(const WorldState& world, const Event& event);

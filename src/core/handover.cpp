@@ -51,7 +51,9 @@ void spread(WorldState& world, double start)
   IslandRecords& islands = world.islands;
   for (std::size_t first = 0; first < islands.near.size(); ++first)
   {
-    islands.broad_phase.findOverlapping(islands.alone[islands.near[first]], islands.alone, islands.found);
+    islands.found.clear();
+    islands.broad_phase.eachOverlapping(islands.swept[islands.near[first]], islands.swept,
+                                        [&](std::uint32_t k) { islands.found.push_back(k); });
     std::sort(islands.found.begin(), islands.found.end());
     for (const std::uint32_t k : islands.found)
     {
@@ -86,14 +88,14 @@ void letGoWhoIsFree(WorldState& world, double t, double smooth_until)
 }
 }  // namespace
 
-void countCrowding(BallRecord& ball, double t)
+bool countCrowding(BallRecord& ball, double t)
 {
   if (t - ball.crowded_since > kCrowdTime)
   {
     ball.crowded_since = t;
     ball.crowding = 0;
   }
-  ++ball.crowding;
+  return ++ball.crowding > kCrowded;
 }
 
 std::size_t mostEvents(const WorldState& world, const std::vector<std::size_t>& balls)
@@ -121,17 +123,16 @@ void joinPile(WorldState& world, double start, double end)
 {
   if (world.pile.ball.size() == world.balls.size()) return;
   IslandRecords& islands = world.islands;
-  islands.alone.clear();
+  islands.swept.clear();
   for (const BallRecord& ball : world.balls)
-    islands.alone.push_back(ball.away() ? Box() : boxAround(ball, start, end));
-  islands.broad_phase.findPairs(islands.alone);
+    islands.swept.push_back(ball.away() ? CoarseBox() : CoarseBox(boxAround(ball, start, end)));
+  islands.broad_phase.build(islands.swept, world.workers);
   islands.near.clear();
   for (const std::uint32_t piled : world.pile.ball)
   {
-    islands.broad_phase.findOverlapping(boxAround(world.balls[piled], start, end), islands.alone, islands.found);
-    std::sort(islands.found.begin(), islands.found.end());
-    for (const std::uint32_t other : islands.found)
+    islands.broad_phase.eachOverlapping(CoarseBox(boxAround(world.balls[piled], start, end)), islands.swept, [&](std::uint32_t other) {
       if (!world.balls[other].away()) islands.near.push_back(other);
+    });
   }
   std::sort(islands.near.begin(), islands.near.end());
   islands.near.erase(std::unique(islands.near.begin(), islands.near.end()), islands.near.end());
@@ -146,6 +147,8 @@ void movePile(WorldState& world, double start, double end, double smooth_until)
     runPile(world, start, end, stepOf(world));
     letGoWhoIsFree(world, end, smooth_until);
   }
+  if (!world.crowding) return;
+  world.crowding = false;
   for (std::uint32_t i = 0; i < world.balls.size(); ++i)
     if (world.balls[i].crowding > kCrowded && !world.balls[i].away()) join(world, i, end);
 }

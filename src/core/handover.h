@@ -9,8 +9,8 @@
 
 namespace ping_pong
 {
-/// After a contact of a ball with another one at time t that loses speed: notes if they follow each other too fast.
-void countCrowding(BallRecord& ball, double t);
+/// After a contact of a ball with another one at time t that loses speed: whether they follow each other too fast.
+bool countCrowding(BallRecord& ball, double t);
 
 /// So many events in one window are crowded for these balls, if all of them can lose speed to each other.
 std::size_t mostEvents(const WorldState& world, const std::vector<std::size_t>& balls);

@@ -104,8 +104,8 @@ bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Groun
   count(Law::Restitution);
   countStreak(ball, t);
   if (worthAReport(ball, closing))
-    recordBodyContact(world, i, ball.next, {p, before, after, Vector3d::Zero(), Vector3d::Zero()}, ground.n, Vector3d::Zero(), t);
-  if (window.sweeps) noteFlown(world, window, i, t);
+    recordBodyContact(*window.records, world.balls[i], i, ball.next, {p, before, after, Vector3d::Zero(), Vector3d::Zero()}, ground.n, Vector3d::Zero(), t);
+  if (window.work) noteFlown(world, window, i, t);
   setPath(ball, ground, p, after, t);
   foreseeHop(world, i, ground, t);
   return true;
@@ -127,7 +127,7 @@ bool hop(WorldState& world, const Window& window, std::size_t i)
   std::size_t hops = 0;
   while (hopOnce(world, window, i, ground))
   {
-    if (++hops > 1) ++world.status.events;
+    if (++hops > 1) ++window.records->status.events;
     if (hops == most || !(ball.next.time <= window.end) || !onTheSame(ball.next, first)) break;
   }
   return hops > 0;

@@ -10,12 +10,16 @@ namespace ping_pong
 {
 namespace
 {
-// Long windows make large islands, in which each looks at each; short ones cost a search for neighbours each. Searches of
-// pairs, by ball and window:
+// Long windows make large islands, in which each looks at each; short ones cost a search for neighbours each. Searches
+// of pairs, by ball and window:
 constexpr double kManySearches = 2.0;     // halve the window
 constexpr double kFewSearches = 0.7;      // double it
 constexpr double kTooManySearches = 4.0;  // give up and begin again with a shorter window
 constexpr double kShortestWindow = 1e-4;  // [s]
+
+// What a worker takes at a time.
+constexpr std::size_t kBalls = 256;
+constexpr std::size_t kIslands = 8;
 
 std::uint32_t rootOf(IslandRecords& islands, std::uint32_t i)
 {
@@ -28,205 +32,204 @@ void unite(IslandRecords& islands, std::uint32_t i, std::uint32_t k)
   const std::uint32_t a = rootOf(islands, i), b = rootOf(islands, k);
   if (a == b) return;
   islands.root[std::max(a, b)] = std::min(a, b);
-  islands.settled[std::min(a, b)] = false;
   std::swap(islands.next[a], islands.next[b]);
 }
 
-void save(WorldState& world, std::size_t i)
+// A look at two boxes that overlap costs half of a search.
+double pairSearches(const IslandRecords& islands)
 {
-  IslandRecords& islands = world.islands;
-  if (islands.saved_at[i] != IslandRecords::kNotSaved) return;
-  islands.saved_at[i] = static_cast<std::uint32_t>(islands.saved.size());
-  islands.saved.push_back(world.balls[i]);
+  std::size_t twice = 0;
+  for (const IslandWork& work : islands.work) twice += 8 * work.pair_searches + work.near_pairs;
+  return 0.125 * static_cast<double>(twice);
 }
 
-void begin(WorldState& world)
+void save(WorldState& world, IslandWork& work, std::size_t i)
 {
-  IslandRecords& islands = world.islands;
-  const std::size_t n = world.balls.size();
-  islands.alone.resize(n);
-  islands.swept.resize(n);
+  std::uint32_t& saved = world.islands.saved_at[i];
+  if (saved != IslandRecords::kNoEntry) return;
+  saved = IslandRecords::entry(work, work.saved.size());
+  work.saved.push_back(world.balls[i]);
+}
+
+void begin(IslandRecords& islands, std::size_t n)
+{
   islands.runs = 0;
-  islands.saved.clear();
-  islands.saved_at.assign(n, IslandRecords::kNotSaved);
-  islands.root.resize(n);
-  islands.next.resize(n);
-  for (std::uint32_t i = 0; i < n; ++i) islands.root[i] = islands.next[i] = i;
-  islands.settled.assign(n, false);
   islands.islands.clear();
-  islands.pieces.clear();
-  islands.last_piece.assign(n, IslandRecords::kNoPiece);
+  for (std::vector<std::uint32_t>* list : {&islands.saved_at, &islands.root, &islands.next, &islands.last_piece})
+    list->resize(n);
+  islands.swept.resize(n);
+  for (IslandWork& work : islands.work)
+  {
+    work.contacts.clear();
+    work.origins.clear();
+    work.status = StepStatus();
+    work.pair_searches = work.near_pairs = 0;
+    work.crowding = false;
+    work.saved.clear();
+    work.pieces.clear();
+    work.met.clear();
+    work.crowded.clear();
+  }
 }
 
-void runAlone(WorldState& world, Window window, std::size_t i)
+// --- each ball as if it were alone ---
+
+void runAlone(WorldState& world, Window& window, std::size_t i)
 {
+  IslandRecords& islands = world.islands;
   BallRecord& ball = world.balls[i];
-  ball.swept = Box();
-  ball.met = false;
-  ball.run = 0;
-  ball.next_ball = Event();
-  if (ball.away())
-  {
-    world.islands.alone[i] = world.islands.swept[i] = Box();
-    return;
-  }
+  islands.saved_at[i] = IslandRecords::kNoEntry;
+  islands.root[i] = islands.next[i] = static_cast<std::uint32_t>(i);
+  forgetFlown(islands, i);
+  if (ball.met) ball.met = false;  // what is not written stays shared between the cores
+  if (ball.run != 0) ball.run = 0;
+  if (ball.next_ball.kind != Event::Kind::None) ball.next_ball = Event();
+  if (ball.away()) return;
   if (soonest(ball).time <= window.end)
   {
-    save(world, i);
+    save(world, *window.work, i);
     window.members = &i;
-    window.count = 1;
     runTogether(world, window);
   }
-  Box box = ball.swept;
-  box.add(boxOf(ball, window.start, window.end));
-  world.islands.alone[i] = world.islands.swept[i] = box;
+  noteLast(world, window, i);
 }
 
-bool movedAlone(const WorldState& world, std::size_t i)
+// --- islands ---
+
+// Those who met are of one island now; its root stands in the list of islands that have to run.
+void uniteWhoMet(IslandRecords& islands)
 {
-  return world.islands.last_piece[i] != IslandRecords::kNoPiece;
+  islands.islands.clear();
+  for (const IslandWork& work : islands.work)
+    for (const auto& [i, k] : work.met) unite(islands, i, k);
+  for (IslandWork& work : islands.work)
+  {
+    for (const auto& pair : work.met) islands.islands.push_back(rootOf(islands, pair[0]));
+    work.met.clear();
+  }
+  std::sort(islands.islands.begin(), islands.islands.end());
+  islands.islands.erase(std::unique(islands.islands.begin(), islands.islands.end()), islands.islands.end());
 }
 
-// Whether two balls that would be alone meet.
-bool meet(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
+void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::size_t>& members)
 {
-  const BallRecord &a = world.balls[i], &b = world.balls[k];
-  if (a.away() || b.away()) return false;
-  if (a.path.degree == 0 && b.path.degree == 0 && !movedAlone(world, i) && !movedAlone(world, k)) return false;
-  return metInFlight(world, window, i, k);
-}
-
-void gatherMembers(IslandRecords& islands, std::uint32_t first)
-{
-  islands.members.clear();
-  std::uint32_t i = first;
+  members.clear();
+  std::uint32_t i = root;
   do
   {
-    islands.members.push_back(i);
+    members.push_back(i);
+    islands.root[i] = root;
     i = islands.next[i];
-  } while (i != first);
-  std::sort(islands.members.begin(), islands.members.end());  // ties go to the first ball, whoever came in first
+  } while (i != root);
+  std::sort(members.begin(), members.end());  // ties go to the first ball, whoever came in first
 }
 
-void backToStart(WorldState& world)
+void backToStart(WorldState& world, IslandWork& work, std::size_t i)
 {
   IslandRecords& islands = world.islands;
-  ++islands.runs;
-  for (const std::size_t i : islands.members)
-  {
-    save(world, i);
-    BallRecord& ball = world.balls[i];
-    ball = islands.saved[islands.saved_at[i]];
-    forgetFlown(world, i);
-    ball.met = false;
-    ball.next_ball = Event();
-    ball.run = islands.runs;
-  }
+  save(world, work, i);
+  BallRecord& ball = world.balls[i];
+  ball = islands.saved(islands.saved_at[i]);
+  forgetFlown(islands, i);
+  ball.met = false;
+  ball.next_ball = Event();
+  ball.run = islands.runs;
 }
 
-// What balls have recorded before their island went back to the start has not happened.
-void dropVoidContacts(WorldState& world, std::size_t first)
+// Event by event, from the start of the window. Nobody outside is looked at.
+void runIsland(WorldState& world, Window window, std::uint32_t root)
 {
-  std::size_t kept = first;
-  for (std::size_t c = first; c < world.contacts.size(); ++c)
-  {
-    if (world.origins[c].run != world.balls[world.origins[c].ball].run) continue;
-    if (kept != c)
-    {
-      world.contacts[kept] = world.contacts[c];
-      world.origins[kept] = world.origins[c];
-    }
-    ++kept;
-  }
-  world.status.contacts -= world.contacts.size() - kept;
-  world.contacts.resize(kept);
-  world.origins.resize(kept);
-}
-
-// False if there is no end of events.
-bool runIsland(WorldState& world, Window window)
-{
-  const std::vector<std::size_t>& members = world.islands.members;
+  IslandWork& work = *window.work;
+  const std::vector<std::size_t>& members = work.members;
+  gatherMembers(world.islands, root, work.members);
+  for (const std::size_t i : members) backToStart(world, work, i);
   for (std::size_t m = 0; m < members.size(); ++m)
     for (std::size_t n = m + 1; n < members.size(); ++n)
-      foreseeBall(world, members[m], members[n], -kNever, window.end);
+      foreseeBall(world, members[m], members[n], -kNever, window.end, work);
   window.members = members.data();
   window.count = members.size();
   window.most_events = mostEvents(world, members);
-  return runTogether(world, window) || world.status.event_limit;
+  if (!runTogether(world, window)) work.crowded.insert(work.crowded.end(), members.begin(), members.end());
+  for (const std::size_t i : members) noteLast(world, window, i);
 }
 
-// Balls that were thrown off their path may sweep into balls outside: joins those. False if there are any.
-bool metNobodyElse(WorldState& world, const Window& window)
+// Balls that were thrown off their path may come into the way of balls outside, islands of the same run among them.
+void findWhoWasMet(WorldState& world, const Window& window, std::uint32_t root)
 {
   IslandRecords& islands = world.islands;
-  const std::uint32_t root = rootOf(islands, static_cast<std::uint32_t>(islands.members.front()));
-  for (const std::size_t i : islands.members)
+  for (std::uint32_t i = islands.next[root];; i = islands.next[i])
   {
-    const BallRecord& ball = world.balls[i];
-    islands.swept[i] = ball.swept;
-    islands.swept[i].add(boxOf(ball, window.start, window.end));
+    const auto lookAt = [&](std::uint32_t k)
+    {
+      if (islands.root[k] == root || world.balls[k].away() || !islands.swept[k].overlaps(islands.swept[i])) return;
+      ++window.work->near_pairs;
+      if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
+    };
+    if (world.balls[i].met)
+    {
+      islands.broad_phase.eachOverlapping(islands.swept[i], islands.swept, lookAt);
+      islands.broad_phase.eachAdded(islands.swept[i], lookAt);
+    }
+    if (i == root) return;
   }
-  bool nobody = true;
-  const auto lookAt = [&](std::size_t i, std::uint32_t k) {
-    if (rootOf(islands, k) == root || world.balls[k].away() || !islands.swept[k].overlaps(islands.swept[i])) return;
-    if (metInFlight(world, window, i, k)) islands.near.push_back(k);
-  };
-  islands.near.clear();
-  for (const std::size_t i : islands.members)
-  {
-    if (!world.balls[i].met) continue;
-    islands.broad_phase.findOverlapping(islands.swept[i], islands.alone, islands.found);
-    for (const std::uint32_t k : islands.found) lookAt(i, k);
-    islands.broad_phase.findAdded(islands.swept[i], islands.found);
-    for (const std::uint32_t k : islands.found) lookAt(i, k);
-  }
-  for (const std::uint32_t k : islands.near)
-  {
-    unite(islands, root, k);
-    nobody = false;
-  }
-  return nobody;
 }
 
+void addWhoWasThrown(WorldState& world)
+{
+  IslandRecords& islands = world.islands;
+  for (const std::uint32_t root : islands.islands)
+    for (std::uint32_t i = islands.next[root];; i = islands.next[i])
+    {
+      if (world.balls[i].met) islands.broad_phase.add(i, islands.swept[i]);
+      if (i == root) break;
+    }
+}
+
+// Each looks at each in an island.
 bool worthAShorterWindow(const WorldState& world, const Window& window)
 {
-  const double m = static_cast<double>(world.islands.members.size());
-  const double searches = static_cast<double>(world.islands.pair_searches) + m * m;
-  return window.end - window.start > 1.001 * kShortestWindow &&  // beyond the rounding of its ends
-         searches > kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
+  const IslandRecords& islands = world.islands;
+  if (!(window.end - window.start > 1.001 * kShortestWindow)) return false;  // beyond the rounding of its ends
+  const double limit = kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
+  double searches = pairSearches(islands);
+  for (const std::uint32_t root : islands.islands)
+  {
+    double m = 1.0;
+    for (std::uint32_t i = islands.next[root]; i != root; i = islands.next[i]) m += 1.0;
+    searches += m * m;
+  }
+  return searches > limit;
 }
 
-// False if the island is too large for this window, or crowded.
-bool settleIsland(WorldState& world, const Window& window, std::uint32_t first)
+// Runs all islands of the list, and lists those that have to run again, joined with others.
+void runIslandsOnce(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
-  do
+  ++islands.runs;
+  const auto each = [&](const auto& action)
   {
-    gatherMembers(islands, first);
-    if (worthAShorterWindow(world, window)) return false;
-    backToStart(world);
-    if (!runIsland(world, window))
-    {
-      islands.crowded.assign(islands.members.begin(), islands.members.end());
-      return false;
-    }
-  } while (!metNobodyElse(world, window));
-  islands.settled[rootOf(islands, first)] = true;
-  for (const std::size_t i : islands.members)
-    if (world.balls[i].met) islands.broad_phase.add(static_cast<std::uint32_t>(i), islands.swept[i]);
-  return true;
+    world.workers.each(islands.islands.size(), kIslands,
+                       [&](std::size_t begin, std::size_t end, std::size_t worker)
+                       {
+                         Window its = window;
+                         its.records = its.work = &islands.work[worker];
+                         for (std::size_t i = begin; i < end; ++i) action(world, its, islands.islands[i]);
+                       });
+  };
+  each(runIsland);
+  addWhoWasThrown(world);
+  each(findWhoWasMet);
+  uniteWhoMet(islands);
 }
 
+// --- the window ---
+
 // As if the window had never begun.
-void undo(WorldState& world, std::size_t first_contact)
+void undo(WorldState& world)
 {
-  const IslandRecords& islands = world.islands;
+  IslandRecords& islands = world.islands;
   for (std::size_t i = 0; i < world.balls.size(); ++i)
-    if (islands.saved_at[i] != IslandRecords::kNotSaved) world.balls[i] = islands.saved[islands.saved_at[i]];
-  world.status.contacts -= world.contacts.size() - first_contact;
-  world.contacts.resize(first_contact);
-  world.origins.resize(first_contact);
+    if (islands.saved_at[i] != IslandRecords::kNoEntry) world.balls[i] = islands.saved(islands.saved_at[i]);
 }
 
 // By time, ties by ball. Contacts are large: their order is found first, and each is moved once.
@@ -251,28 +254,88 @@ void sortContacts(WorldState& world, std::size_t first)
   }
 }
 
-// False if nothing was done, since the window was too long.
-bool runWindow(WorldState& world, const Window& window)
+// What balls have recorded before their island went back to the start has not happened. All contacts of a ball that
+// have are in the list of one worker, in their order: which one does not matter.
+void takeContacts(WorldState& world)
+{
+  const std::size_t first = world.contacts.size();
+  for (const IslandWork& work : world.islands.work)
+    for (std::size_t c = 0; c < work.contacts.size(); ++c)
+    {
+      if (work.origins[c].run != world.balls[work.origins[c].ball].run) continue;
+      world.contacts.push_back(work.contacts[c]);
+      world.origins.push_back(work.origins[c]);
+    }
+  world.status.contacts += world.contacts.size() - first;
+  sortContacts(world, first);
+}
+
+// Whoever was crowded while the window was run passes; false if nobody was.
+bool passOnWhoIsCrowded(WorldState& world, double start)
+{
+  std::vector<std::uint32_t>& crowded = world.islands.near;
+  crowded.clear();
+  for (const IslandWork& work : world.islands.work)
+    crowded.insert(crowded.end(), work.crowded.begin(), work.crowded.end());
+  if (crowded.empty()) return false;
+  std::sort(crowded.begin(), crowded.end());
+  undo(world);
+  passOn(world, crowded, start);
+  return true;
+}
+
+enum class Outcome
+{
+  Done,
+  TooLong,  ///< nothing was done: the window has to be shorter
+  Crowded   ///< nothing was done but that balls have joined the pile
+};
+
+Outcome runWindow(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
-  const std::size_t first_contact = world.contacts.size();
-  begin(world);
-  for (std::size_t i = 0; i < world.balls.size(); ++i) runAlone(world, window, i);
-  for (const BroadPhase::Pair& pair : islands.broad_phase.findPairs(islands.alone))
-    if (meet(world, window, pair.a, pair.b))
-    {
-      unite(islands, pair.a, pair.b);
-      islands.islands.push_back(pair.a);
-    }
-  for (const std::uint32_t first : islands.islands)
-    if (!islands.settled[rootOf(islands, first)] && !settleIsland(world, window, first))
-    {
-      undo(world, first_contact);
-      return false;
-    }
-  dropVoidContacts(world, first_contact);
-  sortContacts(world, first_contact);
-  return true;
+  begin(islands, world.balls.size());
+  world.workers.each(world.balls.size(), kBalls,
+                     [&](std::size_t begin, std::size_t end, std::size_t worker)
+                     {
+                       Window its = window;
+                       its.count = 1;
+                       its.records = its.work = &islands.work[worker];
+                       for (std::size_t i = begin; i < end; ++i) runAlone(world, its, i);
+                     });
+  islands.broad_phase.build(islands.swept, world.workers);
+  world.workers.each(islands.broad_phase.boxes(), kBalls,
+                     [&](std::size_t begin, std::size_t end, std::size_t worker)
+                     {
+                       IslandWork& its = islands.work[worker];
+                       islands.broad_phase.eachPair(begin, end, islands.swept,
+                                                    [&](std::uint32_t a, std::uint32_t b)
+                                                    {
+                                                      ++its.near_pairs;
+                                                      if (metInFlight(world, window, a, b)) its.met.push_back({a, b});
+                                                    });
+                     });
+  for (uniteWhoMet(islands); !islands.islands.empty(); runIslandsOnce(world, window))
+  {
+    if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
+    if (!worthAShorterWindow(world, window)) continue;
+    undo(world);
+    return Outcome::TooLong;
+  }
+  if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
+  takeContacts(world);
+  return Outcome::Done;
+}
+
+// What was tried in vain counts, too.
+void sumUp(WorldState& world)
+{
+  for (const IslandWork& work : world.islands.work)
+  {
+    world.status.events += work.status.events;
+    world.status.event_limit |= work.status.event_limit;
+    world.crowding |= work.crowding;
+  }
 }
 }  // namespace
 
@@ -285,21 +348,25 @@ void runIslands(WorldState& world, double end)
     const double window_end = endOfWindow(world, start, whole ? start + islands.length : end);
     const std::size_t first_contact = world.contacts.size();
     if (!world.pile.ball.empty()) joinPile(world, start, window_end);
-    islands.pair_searches = 0;
     const bool all_piled = world.pile.ball.size() == world.balls.size();
-    const bool done = all_piled || runWindow(world, {start, window_end, end, nullptr, 0, true});
-    const double searches = static_cast<double>(islands.pair_searches) / static_cast<double>(world.balls.size());
-    if (!islands.crowded.empty())
+    Outcome outcome = Outcome::Done;
+    double searches = 0.0;
+    if (!all_piled)
     {
-      passOn(world, islands.crowded, start);
-      islands.crowded.clear();
-      continue;
+      Window window;
+      window.start = start;
+      window.end = window_end;
+      window.smooth_until = end;
+      outcome = runWindow(world, window);
+      sumUp(world);
+      searches = pairSearches(islands) / static_cast<double>(world.balls.size());
     }
-    if (!done || searches > kManySearches)
+    if (outcome == Outcome::Crowded) continue;
+    if (outcome == Outcome::TooLong || searches > kManySearches)
       islands.length = std::max(0.5 * std::min(islands.length, window_end - start), kShortestWindow);
     else if (searches < kFewSearches && (whole || window_end - start >= islands.length))
       islands.length *= searches == 0.0 ? 8.0 : 2.0;
-    if (!done) continue;
+    if (outcome == Outcome::TooLong) continue;
     movePile(world, start, window_end, end);
     if (!world.pile.ball.empty()) sortContacts(world, first_contact);
     start = window_end;

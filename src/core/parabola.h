@@ -26,8 +26,19 @@ inline Parabola asParabola(const Segment& path)
   return {path.start, path.c[0], path.c[1], path.c[2]};
 }
 
+/// The same without a copy.
+struct ParabolaView
+{
+  double start;
+  const Vector3d &p, &v, &half_a;
+
+  ParabolaView(const Parabola& path) : start(path.start), p(path.p), v(path.v), half_a(path.half_a) {}
+  /// Of a path of degree 2.
+  explicit ParabolaView(const Segment& path) : start(path.start), p(path.c[0]), v(path.c[1]), half_a(path.c[2]) {}
+};
+
 /// First contact in [from, until] of balls whose radii add up to `reach`; both have the same half_a.
-inline Detection firstContact(const Parabola& a, const Parabola& b, double reach, double from, double until)
+inline Detection firstContact(const ParabolaView& a, const ParabolaView& b, double reach, double from, double until)
 {
   const double s1 = from - a.start;
   const double s2 = from - b.start;

@@ -66,7 +66,7 @@ BallGroup readGrid(const Field& field, Scene& scene)
   group.origin = origin.vector();
   const std::string three = "three integers [x, y, z]";
   const std::vector<Field> count = map.at("count", three).list(3, three);
-  for (std::size_t axis = 0; axis < 3; ++axis) group.grid[axis] = count[axis].count();
+  for (std::size_t axis = 0; axis < 3; ++axis) group.grid[axis] = count[axis].count(kMaxBalls);
   group.spacing = readSpacing(map.at("spacing", "the distance between centres"));
   if (const Field* f = map.find("jitter")) group.jitter = f->notNegative();
   if (const Field* f = map.find("seed")) group.seed = f->integer();
@@ -109,7 +109,7 @@ BallGroup readRandom(const Field& field, Scene& scene)
   const Field& count = map.at("count", "the number of balls");
   BallGroup group(count);
   group.random = true;
-  group.grid[0] = count.count();
+  group.grid[0] = count.count(kMaxBalls);
   readBox(map, group);
   if (const Field* f = map.find("seed")) group.seed = f->integer();
   if (const Field* f = map.find("speed")) readSpeed(*f, group);

@@ -32,7 +32,7 @@ Method readMethod(const Field& field)
 Scene loadScene(const std::string& path, const LoadOptions& options)
 {
   const Map map(readYaml(path), {"name", "forces", "floor", "bodies", "balls", "surfaces", "method", "dt",
-                                  "tolerance"});
+                                  "tolerance", "threads"});
   Scene scene;
   scene.path = path;
   scene.name = std::filesystem::path(path).stem().string();
@@ -42,6 +42,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options)
   if (const Field* f = map.find("method")) scene.method = readMethod(*f);
   if (const Field* f = map.find("dt")) scene.dt = f->positive();
   if (const Field* f = map.find("tolerance")) scene.tolerance = f->within(kMinTolerance, kMaxTolerance);
+  if (const Field* f = map.find("threads")) scene.threads = f->count(kMaxThreads);
   readBodies(map, crowdGrowth(map, options), scene);
   readBalls(map, options, scene);
   readSurfaces(map, scene);

@@ -87,7 +87,7 @@ bool Supports::has(std::size_t body, std::size_t shape) const
 
 void Supports::add(std::size_t body, std::size_t shape)
 {
-  if (count < kMax && !has(body, shape)) list[count++] = {body, shape};
+  if (count < kMax && !has(body, shape)) list[count++] = {static_cast<std::uint32_t>(body), static_cast<std::uint32_t>(shape)};
 }
 
 void Supports::remove(std::size_t index)

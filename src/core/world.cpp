@@ -54,11 +54,11 @@ BallState normalized(BallState state)
   return state;
 }
 
-// Whether the spheres in two boxes overlap by more than half of what hasRoom() lets pass.
-bool spheresOverlap(const Box& a, const Box& b)
+// Whether two balls overlap by more than half of what hasRoom() lets pass.
+bool spheresOverlap(const BallRecord& a, const BallRecord& b, double time)
 {
-  const double reach = 0.5 * (a.high.x() - a.low.x() + b.high.x() - b.low.x()) - 0.5 * kTouching;
-  return (0.5 * (a.low + a.high - b.low - b.high)).squaredNorm() < reach * reach;
+  const double reach = a.params.radius + b.params.radius - 0.5 * kTouching;
+  return (a.path.position(time - a.path.start) - b.path.position(time - b.path.start)).squaredNorm() < reach * reach;
 }
 
 // Every shape of the largest paddle near every shape of all furniture.
@@ -94,7 +94,7 @@ struct World::Impl : WorldState
   void planBall(std::size_t index);
   void letGo(std::size_t body);
   void makeRoom();
-  std::vector<char> ballsThatOverlap() const;
+  std::vector<char> ballsThatOverlap();
 };
 
 void World::Impl::start()
@@ -139,10 +139,11 @@ void World::Impl::makeSpace()
   obstacles.reserve(bodies.size());
   near_obstacles.reserve(mostNearPairs(bodies));
   if (balls.size() <= space_for && space_for > 0) return;
+  if (balls.size() > 1) workers.start(scene.threads);
   space_for = space_for == 0 ? balls.size() : std::max(balls.size(), 2 * space_for);
   contacts.reserve(kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
   origins.reserve(contacts.capacity());
-  if (eventByEvent(scene.method) && balls.size() > 1) islands.reserve(space_for);
+  if (eventByEvent(scene.method) && balls.size() > 1) islands.reserve(space_for, workers.count());
   if (scene.method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
 }
 
@@ -253,15 +254,17 @@ void World::Impl::makeRoom()
 }
 
 // Balls that surely overlap no other one are left out; of few balls none is.
-std::vector<char> World::Impl::ballsThatOverlap() const
+std::vector<char> World::Impl::ballsThatOverlap()
 {
   std::vector<char> overlapping(balls.size(), balls.size() < kManyBalls);
   if (balls.size() < kManyBalls) return overlapping;
-  std::vector<Box> boxes;
-  for (const BallRecord& ball : balls) boxes.push_back(boxOf(ball, time, time));
+  std::vector<CoarseBox> boxes;
+  for (const BallRecord& ball : balls) boxes.emplace_back(boxOf(ball, time, time));
   BroadPhase broad_phase;
-  for (const BroadPhase::Pair& pair : broad_phase.findPairs(boxes))
-    if (spheresOverlap(boxes[pair.a], boxes[pair.b])) overlapping[pair.a] = overlapping[pair.b] = true;
+  broad_phase.build(boxes, workers);
+  broad_phase.eachPair(0, broad_phase.boxes(), boxes, [&](std::uint32_t a, std::uint32_t b) {
+    if (spheresOverlap(balls[a], balls[b], time)) overlapping[a] = overlapping[b] = true;
+  });
   return overlapping;
 }
 

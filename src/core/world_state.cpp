@@ -15,6 +15,29 @@ double leastOn(double v, double a, double T)
   return std::min(0.0, (v + 0.5 * a * T) * T);
 }
 
+// Between its ends, or to where it turns round.
+Box boxOfParabola(const Segment& path, double radius, double from, double to)
+{
+  const double s = std::max(from - path.start, 0.0), e = std::max(to - path.start, s);
+  Vector3d lows, highs;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double c0 = path.c[0][i], c1 = path.c[1][i], c2 = path.c[2][i];
+    const double p = c0 + s * (c1 + s * c2), q = c0 + e * (c1 + e * c2);
+    double low = std::min(p, q), high = std::max(p, q);
+    const double v = c1 + 2.0 * s * c2;
+    if (v * (c1 + 2.0 * e * c2) < 0.0)
+    {
+      const double turn = p - 0.25 * v * v / c2;
+      low = std::min(low, turn);
+      high = std::max(high, turn);
+    }
+    lows[i] = low - radius;
+    highs[i] = high + radius;
+  }
+  return {lows, highs};
+}
+
 Box boxAround(const Shape& placed)
 {
   Box box;
@@ -30,6 +53,7 @@ Box boxAround(const Shape& placed)
 Box boxOf(const BallRecord& ball, double from, double to)
 {
   const Segment& path = ball.path;
+  if (path.degree == 2) return boxOfParabola(path, ball.params.radius, from, to);
   const double s = std::max(from - path.start, 0.0);
   const double T = std::max(to - path.start - s, 0.0);
   const Vector3d p = path.position(s), v = path.velocity(s);
@@ -42,19 +66,27 @@ Box boxOf(const BallRecord& ball, double from, double to)
   return box;
 }
 
-void IslandRecords::reserve(std::size_t balls)
+void IslandRecords::reserve(std::size_t balls, std::size_t workers)
 {
   broad_phase.reserve(balls);
-  alone.reserve(balls);
   swept.reserve(balls);
-  saved.reserve(balls);
-  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next}) list->reserve(balls);
-  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) list->reserve(8 * balls);
-  settled.reserve(balls);
-  members.reserve(balls);
+  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &last_piece}) list->reserve(balls);
+  const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
+  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) list->reserve(meetings);
   order.reserve(256 + 8 * balls);
-  last_piece.reserve(balls);
-  pieces.reserve(256 + 4 * balls);
+  work.resize(workers);
+  for (std::uint32_t worker = 0; worker < workers; ++worker)
+  {
+    IslandWork& its = work[worker];
+    its.worker = worker;
+    its.saved.reserve(balls);
+    its.members.reserve(balls);
+    its.crowded.reserve(balls);
+    its.met.reserve(meetings);
+    its.pieces.reserve(2048 + 4 * balls);
+    its.contacts.reserve(256 + 8 * balls);
+    its.origins.reserve(256 + 8 * balls);
+  }
 }
 
 void placeBody(BodyRecord& body, Pose pose)

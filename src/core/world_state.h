@@ -13,13 +13,14 @@
 #include "ping_pong_sim/segment.h"
 #include "ping_pong_sim/support.h"
 #include "ping_pong_sim/world.h"
+#include "workers.h"
 
 namespace ping_pong
 {
 /// The next thing that happens to a ball.
 struct Event
 {
-  enum class Kind
+  enum class Kind : std::uint8_t
   {
     None,
     LookAgain,   ///< the search ended here without an answer
@@ -27,46 +28,48 @@ struct Event
     HitBody,
     HitBall
   };
+  static constexpr std::uint32_t kNobody = ~0u;
+
+  double time = kNever;           ///< world time [s]
+  std::uint32_t other = kNobody;  ///< index of body or ball
+  std::uint32_t shape = kNobody;
+  std::uint32_t version = 0;      ///< of the other when this was foreseen: another one makes it void
   Kind kind = Kind::None;
-  double time = kNever;       ///< world time [s]
-  std::size_t other = kNone;  ///< index of body or ball
-  std::size_t shape = kNone;
-  unsigned version = 0;       ///< of the other when this was foreseen: another one makes it void
 };
 
 /// A shape whose contacts are not looked for on this path: it continues a face that the ball slides over.
 struct Passing
 {
-  std::size_t body = kNone;
-  std::size_t shape = kNone;
+  std::uint32_t body = Event::kNobody;
+  std::uint32_t shape = Event::kNobody;
   double until = 0.0;  ///< [s]
 };
 
+/// What every window looks at comes first: it shares few lines of the cache.
 struct BallRecord
 {
   BallId id = 0;
-  BallParams params;
-  FlightModel model;
-  Segment path;
-  Supports supports;
   bool squeezed = false;
-  bool piled = false;   ///< handed over to the pile, see handover.h
-  bool asleep = false;  ///< in the pile, see pile.h
-  int crowding = 0;     ///< contacts with other balls since then, see handover.h
-  double crowded_since = -1e300;  ///< [s]
-  double step = 0.0;  ///< length of the next piece of flight through air, 0: unknown [s]
+  bool piled = false;      ///< handed over to the pile, see handover.h
+  bool asleep = false;     ///< in the pile, see pile.h
   bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
-  Event next;         ///< with still bodies; holds until the path changes
-  Event next_moving;  ///< with moving bodies; holds for this window
-  Event next_ball;    ///< with balls of the same island; holds for this window
-  unsigned version = 0;
-  int streak = 0;                ///< contacts in quick succession, see exact_method.cpp
-  int crush = 0;                 ///< contacts in even quicker succession
-  double last_contact = -1e300;  ///< [s]
+  bool met = false;        ///< has hit a ball in this window
+  std::uint32_t run = 0;   ///< of its island in this window: what an earlier run has recorded has not happened
+  Event next;              ///< with still bodies; holds until the path changes
+  Event next_moving;       ///< with moving bodies; holds for this window
+  Event next_ball;         ///< with balls of the same island; holds for this window
+  BallParams params;
+  Segment path;
+  FlightModel model;
+  Supports supports;
+  std::uint32_t version = 0;
+  int crowding = 0;               ///< contacts with other balls since then, see handover.h
+  double crowded_since = -1e300;  ///< [s]
+  double step = 0.0;              ///< length of the next piece of flight through air, 0: unknown [s]
+  int streak = 0;                 ///< contacts in quick succession, see exact_method.cpp
+  int crush = 0;                  ///< contacts in even quicker succession
+  double last_contact = -1e300;   ///< [s]
   Passing passing;
-  Box swept;                     ///< by its paths in this window, but for the last one
-  bool met = false;              ///< has hit a ball in this window
-  std::uint32_t run = 0;         ///< of its island in this window: what an earlier run has recorded has not happened
 
   BallRecord(BallId its_id, const BallParams& its_params, const Forces& forces)
     : id(its_id), params(its_params), model(forces, its_params)
@@ -103,19 +106,60 @@ struct BodyRecord
   static const BodyMotion kWorldFrame;
 };
 
-/// What the exact method keeps from window to window, see islands.h.
-struct IslandRecords
+/// Which ball has recorded a contact, and in which run of its island.
+struct ContactOrigin
 {
-  static constexpr std::uint32_t kNoPiece = ~0u;
+  std::uint32_t ball, run;
+};
 
+/// What the handling of events notes, besides the balls: of the world, or of one worker.
+struct Records
+{
+  std::vector<Contact> contacts;
+  std::vector<ContactOrigin> origins;  ///< by contact, in the exact method
+  StepStatus status;
+  std::size_t pair_searches = 0;       ///< of balls with balls, in this window
+  std::size_t near_pairs = 0;          ///< of balls whose boxes overlap, in this window
+  bool crowding = false;               ///< a ball has met others too often, see handover.h
+};
+
+/// What a worker has to do with a window, see islands.h.
+struct IslandWork : Records
+{
   /// Of a ball's flight in this window.
   struct Piece
   {
     Parabola path;
     double until;           ///< [s]
-    std::uint32_t earlier;  ///< index of the ball's piece before, or kNoPiece
+    std::uint32_t earlier;  ///< the ball's piece before, or IslandRecords::kNoEntry
+    std::uint16_t count;    ///< pieces of the ball so far
     bool parabola;          ///< else the path is of another kind, and not known here
   };
+
+  std::uint32_t worker = 0;
+  std::vector<BallRecord> saved;      ///< balls at the start of the window, of those that have changed since
+  std::vector<Piece> pieces;          ///< flown in this window, see flown.h
+  std::vector<std::size_t> members;   ///< the island at work
+  std::vector<std::array<std::uint32_t, 2>> met;  ///< balls that are in each other's way
+  std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see handover.h
+};
+
+/// What the exact method keeps from window to window, see islands.h.
+struct IslandRecords
+{
+  static constexpr std::uint32_t kNoEntry = ~0u;
+
+  /// An entry in a list of a worker.
+  static constexpr std::uint32_t kIndexBits = 26;
+  static std::uint32_t entry(const IslandWork& work, std::size_t index)
+  {
+    return work.worker << kIndexBits | static_cast<std::uint32_t>(index);
+  }
+  IslandWork& workOf(std::uint32_t entry) { return work[entry >> kIndexBits]; }
+  const IslandWork& workOf(std::uint32_t entry) const { return work[entry >> kIndexBits]; }
+  static std::uint32_t indexOf(std::uint32_t entry) { return entry & ((1u << kIndexBits) - 1u); }
+  BallRecord& saved(std::uint32_t entry) { return workOf(entry).saved[indexOf(entry)]; }
+  const IslandWork::Piece& piece(std::uint32_t entry) const { return workOf(entry).pieces[indexOf(entry)]; }
 
   /// Of a contact in the order of a window's contacts.
   struct Place
@@ -129,51 +173,36 @@ struct IslandRecords
     }
   };
 
-  static constexpr std::uint32_t kNotSaved = ~0u;
-
   static constexpr double kFirstLength = 0.02;  // [s]
 
   double length = kFirstLength;            ///< of the next window [s]
-  std::size_t pair_searches = 0;           ///< in this window
-  std::uint32_t runs = 0;                  ///< of islands, in this window
-  BroadPhase broad_phase;
-  std::vector<Box> alone;                  ///< swept by each ball if no other ball were there
-  std::vector<Box> swept;                  ///< swept by each ball
-  std::vector<BallRecord> saved;           ///< balls at the start of the window, of those that have changed since
-  std::vector<std::uint32_t> saved_at;     ///< index in `saved`, by ball
+  std::uint32_t runs = 0;                  ///< of all islands that are not settled, in this window
+  BroadPhase broad_phase;                  ///< of what each ball would sweep if no other were there
+  std::vector<CoarseBox> swept;            ///< by each ball in this window
+  std::vector<IslandWork> work;            ///< of each worker
+  std::vector<std::uint32_t> saved_at;     ///< entry in `saved` of a worker, by ball
   std::vector<std::uint32_t> root;         ///< union-find over balls; the least index of an island is its root
   std::vector<std::uint32_t> next;         ///< circular list of an island's balls
-  std::vector<std::uint32_t> islands;      ///< a ball of each island
-  std::vector<char> settled;               ///< by root: the island has run and met nobody outside
-  std::vector<std::size_t> members;        ///< the island at work
-  std::vector<std::uint32_t> found, near;  ///< balls in whose way an island's ball has come
-  std::vector<Piece> pieces;               ///< flown in this window, see flown.h
-  std::vector<std::uint32_t> last_piece;   ///< index in `pieces`, by ball
+  std::vector<std::uint32_t> islands;      ///< roots of those that have to run
+  std::vector<std::uint32_t> found, near;  ///< balls near a pile
+  std::vector<std::uint32_t> last_piece;   ///< entry in `pieces` of a worker, by ball
   std::vector<Place> order;                ///< of the window's contacts
   std::vector<std::uint32_t> crowded;      ///< balls of an island with events without end, see handover.h
 
   /// Takes the memory for so many balls now, not while the world moves on.
-  void reserve(std::size_t balls);
+  void reserve(std::size_t balls, std::size_t workers);
 };
 
-/// Which ball has recorded a contact, and in which run of its island.
-struct ContactOrigin
-{
-  std::uint32_t ball, run;
-};
-
-struct WorldState
+struct WorldState : Records
 {
   Scene scene;
   double time = 0.0;  ///< [s]
   std::vector<BallRecord> balls;
   std::vector<BodyRecord> bodies;
-  std::vector<Contact> contacts;
-  std::vector<ContactOrigin> origins;     ///< by contact, in the exact method
-  StepStatus status;
   bool any_moving = false;                ///< any body, in this window
   IslandRecords islands;
   Pile pile;
+  Workers workers;                        ///< as many as the scene names threads, once there are balls to share
 
   const Surface& surface(const BallRecord& ball, const Shape& shape) const
   {

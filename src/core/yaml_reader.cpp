@@ -165,11 +165,11 @@ std::uint64_t Field::integer() const
   return number;
 }
 
-std::size_t Field::count() const
+std::size_t Field::count(std::size_t most) const
 {
   std::uint64_t number = 0;
-  if (!plain() || !parseInteger(node_.Scalar(), number) || number < 1 || number > kMaxBalls)
-    fail("an integer from 1 to " + std::to_string(kMaxBalls));
+  if (!plain() || !parseInteger(node_.Scalar(), number) || number < 1 || number > most)
+    fail("an integer from 1 to " + std::to_string(most));
   return static_cast<std::size_t>(number);
 }
 

@@ -28,7 +28,7 @@ public:
   double within(double low, double high) const;  ///< ends included
   bool boolean() const;                          ///< true or false
   std::uint64_t integer() const;                 ///< >= 0
-  std::size_t count() const;                     ///< 1 to kMaxBalls
+  std::size_t count(std::size_t most) const;     ///< 1 to `most`
   Vector3d vector() const;                       ///< [x, y, z], finite
   std::vector<Field> list() const;
   std::vector<Field> list(std::size_t size, const std::string& expected) const;

@@ -47,6 +47,10 @@ bool isBallCount(double number)
 {
   return number >= 0.0 && number <= static_cast<double>(ping_pong::kMaxBalls) && number == std::floor(number);
 }
+bool isThreads(double number)
+{
+  return number >= 0.0 && number <= static_cast<double>(ping_pong::kMaxThreads) && number == std::floor(number);
+}
 bool isContactRate(double rate)
 {
   return rate >= 1.0 && rate <= 1e6;
@@ -151,6 +155,8 @@ NodeParams readParams(const ros::NodeHandle& private_nh)
   p.dt = reader.number("dt", p.dt, isStep, "a step from 0 (the scene's own) to 1 [s]");
   p.tolerance =
       reader.number("tolerance", p.tolerance, isTolerance, "0 (the scene's own), or an error from 1e-12 to 0.1 [m]");
+  p.threads = static_cast<std::size_t>(
+      reader.number("threads", 0.0, isThreads, "a whole number from 1 to 64, or 0 (the scene's own)"));
   p.feed = readFeed(private_nh, reader, p.tick());
   p.props = readProps(reader);
   p.blob_shadows = reader.text("blob_shadows", p.blob_shadows);
@@ -181,6 +187,7 @@ ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene
   if (params.method != kMethodOfScene) scene.method = ping_pong::methodFromName(params.method);
   if (params.dt > 0.0) scene.dt = params.dt;
   if (params.tolerance > 0.0) scene.tolerance = params.tolerance;
+  if (params.threads > 0) scene.threads = params.threads;
   checkNames(scene);
   return scene;
 }

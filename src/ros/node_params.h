@@ -30,6 +30,7 @@ struct NodeParams
   std::string method = kMethodOfScene;
   double dt = 0.0;         ///< [s]; 0: the scene's
   double tolerance = 0.0;  ///< [m]; 0: the scene's
+  std::size_t threads = 0;  ///< 0: the scene's
   FeedParams feed;
   Props props = defaultProps();  ///< at the start
   std::string blob_shadows;      ///< name of the light that throws them; empty: none
@@ -43,7 +44,7 @@ NodeParams readParams(const ros::NodeHandle& private_nh);
 /// The file that `scene` means: itself if it looks like a path, else a name in the scene directory.
 std::string scenePath(const NodeParams& params, const std::string& scene);
 
-/// Loads a scene with a number and a seed of balls, applies ~method, ~dt and ~tolerance, and checks that its names can be ROS names. Throws
+/// Loads a scene with a number and a seed of balls, applies ~method, ~dt, ~tolerance and ~threads, and checks that its names can be ROS names. Throws
 /// std::runtime_error.
 ping_pong::Scene loadSceneFor(const NodeParams& params, const std::string& scene,
                               const ping_pong::LoadOptions& options = {});

@@ -63,18 +63,20 @@ inline double temperatureOf(const World& world)
 inline double deepestOverlap(const World& world, double edge)
 {
   double deepest = -1.0;
-  std::vector<Box> boxes(world.ballCount());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
+  std::vector<CoarseBox> boxes;
+  for (std::size_t i = 0; i < world.ballCount(); ++i)
   {
     const Vector3d p = positionOf(world, i);
-    boxes[i].low = p.array() - kR;
-    boxes[i].high = p.array() + kR;
+    boxes.emplace_back(Box{p.array() - kR, p.array() + kR});
     deepest = std::max({deepest, kR + std::abs(p.x()) - 0.5 * edge, kR + std::abs(p.y()) - 0.5 * edge, kR - p.z(),
                         kR + p.z() - edge});
   }
+  Workers alone;
   BroadPhase broad_phase;
-  for (const BroadPhase::Pair& pair : broad_phase.findPairs(boxes))
-    deepest = std::max(deepest, 2.0 * kR - (positionOf(world, pair.a) - positionOf(world, pair.b)).norm());
+  broad_phase.build(boxes, alone);
+  broad_phase.eachPair(0, broad_phase.boxes(), boxes, [&](std::uint32_t a, std::uint32_t b) {
+    deepest = std::max(deepest, 2.0 * kR - (positionOf(world, a) - positionOf(world, b)).norm());
+  });
   return deepest;
 }
 

@@ -30,10 +30,10 @@ private:
 };
 
 // Boxes of many sizes, some a kilometre and more away, some points, some twice at one place.
-std::vector<Box> someBoxes(std::size_t count, unsigned seed)
+std::vector<CoarseBox> someBoxes(std::size_t count, unsigned seed)
 {
   Random random(seed);
-  std::vector<Box> boxes;
+  std::vector<CoarseBox> boxes;
   for (std::size_t i = 0; i < count; ++i)
   {
     const double size = i % 7 == 0 ? 0.0 : i % 31 == 0 ? 3.0 : random.in(0.0, 0.2);
@@ -43,13 +43,13 @@ std::vector<Box> someBoxes(std::size_t count, unsigned seed)
     Box box;
     box.low = p;
     box.high = p + Vector3d(size, random.in(0.0, size), size);
-    boxes.push_back(box);
-    if (i % 13 == 0) boxes.push_back(box);
+    boxes.emplace_back(box);
+    if (i % 13 == 0) boxes.emplace_back(box);
   }
   return boxes;
 }
 
-Pairs everyPair(const std::vector<Box>& boxes)
+Pairs everyPair(const std::vector<CoarseBox>& boxes)
 {
   Pairs pairs;
   for (std::uint32_t a = 0; a < boxes.size(); ++a)
@@ -58,32 +58,81 @@ Pairs everyPair(const std::vector<Box>& boxes)
   return pairs;
 }
 
-TEST(BroadPhase, FindsEveryPairOnce)
+TEST(BroadPhase, FindsEveryPairOnceInSharesOfAnySize)
 {
-  BroadPhase broad_phase;
-  for (const std::size_t count : {1, 2, 5, 40, 300, 2000})
+  for (const std::size_t threads : {1, 3})
   {
-    const std::vector<Box> boxes = someBoxes(count, static_cast<unsigned>(count));
-    const std::vector<BroadPhase::Pair>& found = broad_phase.findPairs(boxes);
-    Pairs pairs;
-    for (const BroadPhase::Pair& pair : found) pairs.insert({pair.a, pair.b});
-    EXPECT_EQ(pairs.size(), found.size()) << "some pair was told twice";
-    EXPECT_EQ(pairs, everyPair(boxes)) << count;
+    Workers workers;
+    workers.start(threads);
+    BroadPhase broad_phase;
+    for (const std::size_t count : {1, 2, 5, 40, 300, 2000})
+    {
+      const std::vector<CoarseBox> boxes = someBoxes(count, static_cast<unsigned>(count));
+      broad_phase.build(boxes, workers);
+      const std::size_t share = 1 + broad_phase.boxes() / threads;
+      Pairs pairs;
+      std::size_t told = 0;
+      for (std::size_t begin = 0; begin < broad_phase.boxes(); begin += share)
+        broad_phase.eachPair(begin, std::min(begin + share, broad_phase.boxes()), boxes, [&](std::uint32_t a, std::uint32_t b) {
+          pairs.insert({std::min(a, b), std::max(a, b)});
+          ++told;
+        });
+      EXPECT_EQ(pairs.size(), told) << "some pair was told twice";
+      EXPECT_EQ(pairs, everyPair(boxes)) << count;
+    }
   }
+}
+
+TEST(BroadPhase, LeavesOutEmptyBoxes)
+{
+  std::vector<CoarseBox> boxes = someBoxes(100, 7);
+  for (std::size_t i = 0; i < boxes.size(); i += 3) boxes[i] = CoarseBox();
+  Workers alone;
+  BroadPhase broad_phase;
+  broad_phase.build(boxes, alone);
+  EXPECT_EQ(broad_phase.boxes(), static_cast<std::size_t>(std::count_if(boxes.begin(), boxes.end(), [](const CoarseBox& box) { return !box.empty(); })));
+  broad_phase.build(std::vector<CoarseBox>(5), alone);
+  EXPECT_EQ(broad_phase.boxes(), 0u);
+}
+
+TEST(CoarseBox, IsNeverSmallerAndHardlyLarger)
+{
+  Random random(9);
+  for (int i = 0; i < 10000; ++i)
+  {
+    const double scale = std::pow(10.0, random.in(-6.0, 6.0));
+    Box box;
+    box.low = random.vector(-scale, scale);
+    box.high = box.low + random.vector(0.0, scale);
+    const CoarseBox coarse(box);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_LE(static_cast<double>(coarse.low[axis]), box.low[axis]);
+      EXPECT_GE(static_cast<double>(coarse.high[axis]), box.high[axis]);
+      EXPECT_GE(static_cast<double>(coarse.low[axis]), box.low[axis] - 1e-6 * scale);
+      EXPECT_LE(static_cast<double>(coarse.high[axis]), box.high[axis] + 1e-6 * scale);
+    }
+  }
+}
+
+std::set<std::uint32_t> addedNear(const BroadPhase& broad_phase, const CoarseBox& box)
+{
+  std::set<std::uint32_t> told;
+  broad_phase.eachAdded(box, [&](std::uint32_t i) { told.insert(i); });
+  return told;
 }
 
 TEST(BroadPhase, FindsBoxesThatWereAddedLater)
 {
+  Workers alone;
   BroadPhase broad_phase;
-  const std::vector<Box> boxes = someBoxes(500, 3), later = someBoxes(400, 8), asked = someBoxes(300, 4);
-  broad_phase.findPairs(boxes);
+  const std::vector<CoarseBox> boxes = someBoxes(500, 3), later = someBoxes(400, 8), asked = someBoxes(300, 4);
+  broad_phase.build(boxes, alone);
   for (std::uint32_t i = 0; i < later.size(); ++i) broad_phase.add(i, later[i]);
-  std::vector<std::uint32_t> found;
   std::size_t overlapping = 0;
-  for (const Box& box : asked)
+  for (const CoarseBox& box : asked)
   {
-    broad_phase.findAdded(box, found);
-    const std::set<std::uint32_t> told(found.begin(), found.end());
+    const std::set<std::uint32_t> told = addedNear(broad_phase, box);
     for (std::uint32_t i = 0; i < later.size(); ++i)
     {
       if (!later[i].overlaps(box)) continue;
@@ -92,47 +141,42 @@ TEST(BroadPhase, FindsBoxesThatWereAddedLater)
     }
   }
   EXPECT_GT(overlapping, 500u);
-  broad_phase.findPairs(boxes);
-  broad_phase.findAdded(asked[0], found);
-  EXPECT_TRUE(found.empty());
+  broad_phase.build(boxes, alone);
+  for (const CoarseBox& box : asked) EXPECT_TRUE(addedNear(broad_phase, box).empty());
 }
 
 TEST(BroadPhase, LooksAtFewOfManyAddedBoxes)
 {
   Random random(5);
-  std::vector<Box> boxes(5000);
-  for (Box& box : boxes)
+  std::vector<CoarseBox> boxes;
+  for (int i = 0; i < 5000; ++i)
   {
-    box.low = random.vector(0.0, 1.0);
-    box.high = box.low.array() + 0.05;
+    const Vector3d low = random.vector(0.0, 1.0);
+    boxes.emplace_back(Box{low, low.array() + 0.05});
   }
+  Workers alone;
   BroadPhase broad_phase;
-  broad_phase.findPairs(boxes);
+  broad_phase.build(boxes, alone);
   for (std::uint32_t i = 0; i < boxes.size(); ++i) broad_phase.add(i, boxes[i]);
-  std::vector<std::uint32_t> found;
   std::size_t looked_at = 0;
-  for (const Box& box : boxes)
-  {
-    broad_phase.findAdded(box, found);
-    looked_at += found.size();
-  }
+  for (const CoarseBox& box : boxes) broad_phase.eachAdded(box, [&](std::uint32_t) { ++looked_at; });
   measured("added boxes looked at, of 5000", static_cast<double>(looked_at) / 5000.0);
   EXPECT_LT(looked_at / 5000, 250u);
 }
 
 TEST(BroadPhase, FindsWhoOverlapsABoxThatWasNotThere)
 {
+  Workers alone;
   BroadPhase broad_phase;
-  const std::vector<Box> boxes = someBoxes(500, 3);
-  broad_phase.findPairs(boxes);
-  std::vector<std::uint32_t> found;
-  for (const Box& box : someBoxes(200, 4))
+  const std::vector<CoarseBox> boxes = someBoxes(500, 3);
+  broad_phase.build(boxes, alone);
+  for (const CoarseBox& box : someBoxes(200, 4))
   {
-    broad_phase.findOverlapping(box, boxes, found);
-    std::set<std::uint32_t> expected;
+    std::set<std::uint32_t> found, expected;
+    broad_phase.eachOverlapping(box, boxes, [&](std::uint32_t i) { EXPECT_TRUE(found.insert(i).second) << "told twice"; });
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
       if (boxes[i].overlaps(box)) expected.insert(i);
-    EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()), expected);
+    EXPECT_EQ(found, expected);
   }
 }
 

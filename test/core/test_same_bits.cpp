@@ -1,6 +1,7 @@
 // The same scene gives the same bits on every run; the order of lists does not matter.
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 
 #include "ping_pong_sim/scene_loader.h"
@@ -59,6 +60,23 @@ TEST(SameBits, WhateverTheTicksOfAWorldWithoutPaddles)
   World fine(tray());
   World coarse(tray());
   EXPECT_EQ(hashAfter(fine, 1e-3, 2000), hashAfter(coarse, 0.5, 4));
+}
+
+std::string outputOf(const char* program)
+{
+  std::string text;
+  std::FILE* out = popen(program, "r");
+  if (out == nullptr) return text;
+  for (int c = std::fgetc(out); c != EOF; c = std::fgetc(out)) text += static_cast<char>(c);
+  EXPECT_EQ(pclose(out), 0) << program;
+  return text;
+}
+
+TEST(SameBits, AtEitherLevelOfOptimisation)
+{
+  const std::string usual = outputOf(HASHES), little = outputOf(HASHES_O1);
+  EXPECT_EQ(std::count(usual.begin(), usual.end(), '\n'), 2 + static_cast<long>(kMethods.size()));
+  EXPECT_EQ(little, usual);
 }
 
 TEST(SameBits, ABitMoreIsNotTheSame)  // or the hash would notice nothing

@@ -71,6 +71,7 @@ surfaces:
      rolling_resistance: 0.01, spin_friction: 0.002}
   - {pair: [ball, floor], preset: table_match}
 tolerance: 1e-9
+threads: 2
 )";
 
 class SceneLoader : public ::testing::Test
@@ -458,6 +459,8 @@ TEST_F(SceneLoader, ReadsTolerance)
   EXPECT_EQ(load("{}").tolerance, Scene().tolerance);
   EXPECT_EQ(load("tolerance: 1e-12").tolerance, 1e-12);
   EXPECT_EQ(load("tolerance: 0.1").tolerance, 0.1);
+  EXPECT_EQ(load("{}").threads, 1u);
+  EXPECT_EQ(load("threads: 64").threads, kMaxThreads);
 }
 
 struct BadScene
@@ -512,6 +515,8 @@ const BadScene kBadScenes[] = {
     // out of range
     {"zero mass", "mass: 0.004", "mass: 0", 20, "balls[0].mass", "0", "a finite number > 0"},
     {"negative radius", "radius: 0.03", "radius: -0.03", 19, "balls[0].radius", "-0.03", "a finite number > 0"},
+    {"no thread", "dt: 0.002", "threads: 0", 31, "threads", "0", "an integer from 1 to 64"},
+    {"too many threads", "dt: 0.002", "threads: 65", 31, "threads", "65", "an integer from 1 to 64"},
     {"zero dt", "dt: 0.002", "dt: 0", 31, "dt", "0", "a finite number > 0"},
     {"negative dt", "dt: 0.002", "dt: -0.002", 31, "dt", "-0.002", "a finite number > 0"},
     {"infinite dt", "dt: 0.002", "dt: .inf", 31, "dt", ".inf", "a finite number > 0"},

@@ -215,11 +215,19 @@ TEST(Simulate, TakesAnotherNumberOfBalls)
   EXPECT_EQ(simulate(shipped("gas") + " --duration 0.1 --rate 10 --balls 30 --seed 3").status, 0);
 }
 
+TEST(Simulate, AnyNumberOfThreadsWritesTheSame)
+{
+  const std::string arguments = shipped("gas") + " --duration 0.1 --rate 10 --balls 600";
+  const Output alone = simulate(arguments), shared = simulate(arguments + " --threads 3");
+  EXPECT_EQ(shared.status, 0) << shared.err;
+  EXPECT_EQ(shared.out, alone.out);
+}
+
 TEST(Simulate, ExplainsItself)
 {
   const Output output = simulate("--help");
   EXPECT_EQ(output.status, 0);
-  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--balls", "--contacts"})
+  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--balls", "--threads", "--contacts"})
     EXPECT_NE(output.out.find(option), std::string::npos) << option;
   for (const Method method : kMethods) EXPECT_NE(output.out.find(name(method)), std::string::npos) << name(method);
   EXPECT_NE(output.out.find("auto"), std::string::npos);
@@ -242,6 +250,7 @@ TEST(Simulate, RefusesBadInputWithOneLineAndStatusTwo)
       {arc + " --duration 1 --method magic", "--method: magic: expected one of: euler_explicit"},
       {arc + " --duration 1 --seed -1", "--seed: -1: expected an integer"},
       {arc + " --duration 1 --balls 0", "--balls: 0: expected an integer from 1 to 100000"},
+      {arc + " --duration 1 --threads 65", "--threads: 65: expected an integer from 1 to 64"},
       {arc + " --duration 1 --balls 1e3", "--balls: 1e3: expected an integer from 1 to 100000"},
       {arc + " --duration 1 --contacts ''", "--contacts: nothing: expected"},
       {arc + " --duration 1 --fast", "--fast: unknown option: expected"},

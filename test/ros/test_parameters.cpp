@@ -65,6 +65,7 @@ TEST(Parameters, AutoIsAMethodAndSaysOnceWhatItTakes)
 
 TEST(Parameters, ToleranceOutOfRange)
 {
+  expectRefused(kScene + " _threads:=1.5", {"/refused/threads", "64"});
   expectRefused(kScene + " _tolerance:=-1.0e-6", {"/refused/tolerance", "[m]"});
 }
 

@@ -1,0 +1,66 @@
+// Threads that share the work of a loop. Which of them does what differs from run to run: whoever wants the same bits
+// every time lets each piece of work write what is its own, and sums up what the workers have noted in an order that
+// does not depend on them.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace ping_pong
+{
+class Workers
+{
+public:
+  Workers() = default;
+  ~Workers() { stop(); }
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// So many from now on, the caller of each() among them. One alone needs no thread.
+  void start(std::size_t count);
+  std::size_t count() const { return threads_.size() + 1; }
+
+  /// Calls action(begin, end, worker) for pieces of [0, size) that cover it once, and returns when all are done. Pieces
+  /// have at most `grain` indices where there is more than one worker; else there is one piece. `worker` is below
+  /// count(); two calls with the same one never overlap, and the caller is 0. An action neither throws nor calls
+  /// each().
+  template <class Action>
+  void each(std::size_t size, std::size_t grain, const Action& action)
+  {
+    if (size == 0) return;
+    if (threads_.empty() || size <= grain)
+      action(std::size_t{0}, size, std::size_t{0});
+    else
+      share({[](const void* a, std::size_t begin, std::size_t end, std::size_t worker)
+             { (*static_cast<const Action*>(a))(begin, end, worker); },
+             &action, size, grain});
+  }
+
+private:
+  struct Job
+  {
+    void (*call)(const void* action, std::size_t begin, std::size_t end, std::size_t worker);
+    const void* action;
+    std::size_t size, grain;
+  };
+
+  void stop();
+  void live(std::size_t worker);
+  void share(const Job& job);
+  void workOn(const Job& job, std::size_t worker);
+
+  std::vector<std::thread> threads_;
+  std::mutex mutex_;  // guards what follows; what is atomic is also looked at without it
+  std::condition_variable begun_, ended_;
+  Job job_{};
+  bool open_ = false;  // there may be work left in job_
+  bool stopping_ = false;
+  std::atomic<std::size_t> jobs_{0};  // so far
+  std::atomic<std::size_t> busy_{0};  // threads at work on job_
+  std::atomic<std::size_t> next_{0};  // first index of job_ that nobody has taken
+};
+}  // namespace ping_pong
