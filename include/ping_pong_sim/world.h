@@ -56,6 +56,8 @@ public:
   const Scene& scene() const;                           ///< as loaded; reset() returns to it
   Method method() const;                                ///< in use: the scene's, or what its Auto came to
   const std::vector<Contact>& contacts() const;         ///< of the last advance(), in order of time
+  /// Whether contacts() lists them; it does by default. Without, StepStatus still counts them, and a bounce costs less.
+  void keepContacts(bool keep);
 
   std::size_t ballCount() const;
   BallId ballId(std::size_t index) const;

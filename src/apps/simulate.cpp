@@ -166,6 +166,7 @@ ExitStatus simulate(const SimulateOptions& options)
     writeHeader(*contacts,
                 "t,ball,other,px,py,pz,nx,ny,nz,vx_before,vy_before,vz_before,vx_after,vy_after,vz_after,"
                 "wx_before,wy_before,wz_before,wx_after,wy_after,wz_after,vx_other,vy_other,vz_other,Jx,Jy,Jz");
+  world.keepContacts(contacts != nullptr);
   const Report report = run(options, world, balls, contacts.get());
   balls.close();
   if (contacts) contacts->close();

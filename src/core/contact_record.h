@@ -5,13 +5,12 @@
 
 namespace ping_pong
 {
-/// A new record at the end of the list, to be filled in place.
-inline Contact& newContact(Records& records, const BallRecord& ball, std::size_t i)
+/// Counts a contact: a new record at the end of the list, to be filled in place, or nullptr if none are kept.
+inline Contact* newContact(Records& records, const BallRecord& ball, std::size_t i)
 {
-  records.contacts.emplace_back();
   records.origins.push_back({static_cast<std::uint32_t>(i), ball.run});
   ++records.status.contacts;
-  return records.contacts.back();
+  return records.keep_contacts ? &records.contacts.emplace_back() : nullptr;
 }
 
 /// What an impact changes of a ball.
@@ -30,18 +29,19 @@ struct Impact
 inline void recordBodyContact(Records& records, const BallRecord& ball, std::size_t i, const Event& event,
                               const Impact& impact, const Vector3d& n_W, const Vector3d& u, double t)
 {
-  Contact& contact = newContact(records, ball, i);
-  contact.time = t;
-  contact.ball = ball.id;
-  contact.body = event.other;
-  contact.shape = event.shape;
-  contact.p_WC = impact.p_WB - ball.params.radius * n_W;
-  contact.n_W = n_W;
-  contact.v_before = impact.v_before;
-  contact.v_after = impact.v_after;
-  contact.w_before = impact.w_before;
-  contact.w_after = impact.w_after;
-  contact.v_other = u;
-  contact.impulse = ball.params.mass * (impact.v_after - impact.v_before);
+  Contact* contact = newContact(records, ball, i);
+  if (!contact) return;
+  contact->time = t;
+  contact->ball = ball.id;
+  contact->body = event.other;
+  contact->shape = event.shape;
+  contact->p_WC = impact.p_WB - ball.params.radius * n_W;
+  contact->n_W = n_W;
+  contact->v_before = impact.v_before;
+  contact->v_after = impact.v_after;
+  contact->w_before = impact.w_before;
+  contact->w_after = impact.w_after;
+  contact->v_other = u;
+  contact->impulse = ball.params.mass * (impact.v_after - impact.v_before);
 }
 }  // namespace ping_pong

@@ -160,19 +160,20 @@ void recordBallContact(Records& records, const BallRecord& a, std::size_t i, con
                        const BallState& after_a, const Vector3d& v_other, const Vector3d& n, const Vector3d& impulse,
                        double t)
 {
-  Contact& contact = newContact(records, a, i);
-  contact.time = t;
-  contact.ball = a.id;
-  contact.with_ball = true;
-  contact.other_ball = b.id;
-  contact.n_W = n;
-  contact.p_WC = before_a.p_WB - a.params.radius * n;
-  contact.v_before = before_a.v_WB;
-  contact.v_after = after_a.v_WB;
-  contact.w_before = before_a.w_WB;
-  contact.w_after = after_a.w_WB;
-  contact.v_other = v_other;
-  contact.impulse = impulse;
+  Contact* contact = newContact(records, a, i);
+  if (!contact) return;
+  contact->time = t;
+  contact->ball = a.id;
+  contact->with_ball = true;
+  contact->other_ball = b.id;
+  contact->n_W = n;
+  contact->p_WC = before_a.p_WB - a.params.radius * n;
+  contact->v_before = before_a.v_WB;
+  contact->v_after = after_a.v_WB;
+  contact->w_before = before_a.w_WB;
+  contact->w_after = after_a.w_WB;
+  contact->v_other = v_other;
+  contact->impulse = impulse;
 }
 
 void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t k, double t)

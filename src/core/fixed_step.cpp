@@ -50,16 +50,17 @@ bool worthAReport(const WorldState& world, double closing, double h)
   return closing * closing > (1.0 + kRounding) * h * h * world.scene.forces.gravity.squaredNorm();
 }
 
-// A new record of what happens to the ball now, with its velocities before.
-Contact& open(WorldState& world, const BallRecord& ball, double t)
+// Counts an impact: a new record of what happens to the ball now, with its velocities before, or nullptr if none are kept.
+Contact* open(WorldState& world, const BallRecord& ball, double t)
 {
+  ++world.status.contacts;
+  if (!world.keep_contacts) return nullptr;
   Contact& contact = world.contacts.emplace_back();
   contact.time = t;
   contact.ball = ball.id;
   contact.v_before = ball.path.c[1];
   contact.w_before = ball.path.w_WB;
-  ++world.status.contacts;
-  return contact;
+  return &contact;
 }
 
 void close(Contact& contact, const BallRecord& ball)
@@ -139,7 +140,7 @@ void collideWithShape(WorldState& world, BallRecord& ball, std::size_t b, std::s
   if (gap.rate >= 0.0) return store(ball, state);
   const Vector3d p_WC = state.p_WB - ball.params.radius * gap.n_W;
   const Vector3d u = world.bodies[b].moving ? frame.pointVelocity(p_WC) : Vector3d::Zero();
-  Contact* contact = worthAReport(world, -gap.rate, now.h) ? &open(world, ball, now.t) : nullptr;
+  Contact* contact = worthAReport(world, -gap.rate, now.h) ? open(world, ball, now.t) : nullptr;
   bounce(world.surface(ball, shape), ball.params, state, u, gap.n_W);
   store(ball, state);
   if (contact == nullptr) return;
@@ -187,7 +188,7 @@ void collidePair(WorldState& world, BallRecord& a, BallRecord& b, const Instant&
   state_a.p_WB += share * overlap * n;
   state_b.p_WB -= (1.0 - share) * overlap * n;
   const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
-  Contact* contact = closing > 0.0 && worthAReport(world, closing, now.h) ? &open(world, a, now.t) : nullptr;
+  Contact* contact = closing > 0.0 && worthAReport(world, closing, now.h) ? open(world, a, now.t) : nullptr;
   const Vector3d p_WC = state_a.p_WB - a.params.radius * n;
   const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
   if (closing > 0.0)

@@ -66,15 +66,12 @@ bool othersInTheWay(const WorldState& world, const BallRecord& ball, const Groun
   return false;
 }
 
-void setPath(BallRecord& ball, const Ground& ground, const Vector3d& p, const Vector3d& v, double t)
+// The acceleration and its bounds are what they were.
+void setPath(BallRecord& ball, const Vector3d& p, const Vector3d& v, double t)
 {
-  Segment& path = ball.path;
-  path.start = t;
-  path.end = kNever;
-  path.c[0] = p;
-  path.c[1] = v;
-  path.c[2] = 0.5 * ground.a;
-  path.a_low = path.a_high = ground.a;
+  ball.path.start = t;
+  ball.path.c[0] = p;
+  ball.path.c[1] = v;
   ++ball.version;
   ball.passing = Passing();
 }
@@ -106,7 +103,7 @@ bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Groun
   if (worthAReport(ball, closing))
     recordBodyContact(*window.records, world.balls[i], i, ball.next, {p, before, after, Vector3d::Zero(), Vector3d::Zero()}, ground.n, Vector3d::Zero(), t);
   if (window.work) noteFlown(world, window, i, t);
-  setPath(ball, ground, p, after, t);
+  setPath(ball, p, after, t);
   foreseeHop(world, i, ground, t);
   return true;
 }

@@ -51,7 +51,7 @@ void save(WorldState& world, IslandWork& work, std::size_t i)
   work.saved.push_back(world.balls[i]);
 }
 
-void begin(IslandRecords& islands, std::size_t n)
+void begin(IslandRecords& islands, std::size_t n, bool keep_contacts)
 {
   islands.runs = 0;
   islands.islands.clear();
@@ -60,6 +60,7 @@ void begin(IslandRecords& islands, std::size_t n)
   islands.swept.resize(n);
   for (IslandWork& work : islands.work)
   {
+    work.keep_contacts = keep_contacts;
     work.contacts.clear();
     work.origins.clear();
     work.status = StepStatus();
@@ -260,13 +261,14 @@ void takeContacts(WorldState& world)
 {
   const std::size_t first = world.contacts.size();
   for (const IslandWork& work : world.islands.work)
-    for (std::size_t c = 0; c < work.contacts.size(); ++c)
+    for (std::size_t c = 0; c < work.origins.size(); ++c)
     {
       if (work.origins[c].run != world.balls[work.origins[c].ball].run) continue;
+      ++world.status.contacts;
+      if (!world.keep_contacts) continue;
       world.contacts.push_back(work.contacts[c]);
       world.origins.push_back(work.origins[c]);
     }
-  world.status.contacts += world.contacts.size() - first;
   sortContacts(world, first);
 }
 
@@ -294,7 +296,7 @@ enum class Outcome
 Outcome runWindow(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
-  begin(islands, world.balls.size());
+  begin(islands, world.balls.size(), world.keep_contacts);
   world.workers.each(world.balls.size(), kBalls,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {

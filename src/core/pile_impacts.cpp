@@ -54,7 +54,7 @@ Contact* newContact(WorldState& world, std::uint32_t ball, const BallState& befo
 {
   ++world.status.contacts;
   ++world.status.events;
-  if (world.contacts.size() == world.contacts.capacity()) return nullptr;
+  if (!world.keep_contacts || world.contacts.size() == world.contacts.capacity()) return nullptr;
   Contact& contact = world.contacts.emplace_back();
   world.origins.push_back({ball, 0});
   contact.time = world.pile.start + t;

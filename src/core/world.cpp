@@ -317,6 +317,7 @@ double World::time() const { return impl_->time; }
 const Scene& World::scene() const { return impl_->loaded; }
 Method World::method() const { return impl_->scene.method; }
 const std::vector<Contact>& World::contacts() const { return impl_->contacts; }
+void World::keepContacts(bool keep) { impl_->keep_contacts = keep; }
 
 std::size_t World::ballCount() const { return impl_->balls.size(); }
 BallId World::ballId(std::size_t index) const { return impl_->balls[index].id; }

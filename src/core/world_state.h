@@ -115,6 +115,7 @@ struct ContactOrigin
 /// What the handling of events notes, besides the balls: of the world, or of one worker.
 struct Records
 {
+  bool keep_contacts = true;           ///< else they are counted only
   std::vector<Contact> contacts;
   std::vector<ContactOrigin> origins;  ///< by contact, in the exact method
   StepStatus status;

@@ -79,6 +79,29 @@ TEST(SameBits, AtEitherLevelOfOptimisation)
   EXPECT_EQ(little, usual);
 }
 
+TEST(SameBits, WhetherContactsAreListedOrCountedOnly)
+{
+  for (const Method method : kMethods)
+  {
+    Scene scene = tray();
+    scene.method = method;
+    World listed(scene), counted(scene);
+    counted.keepContacts(false);
+    std::size_t contacts = 0, same = 0;
+    for (int tick = 0; tick < 50; ++tick)
+    {
+      const StepStatus status = listed.advance(0.01);
+      contacts += status.contacts;
+      EXPECT_EQ(status.contacts, listed.contacts().size()) << name(method);
+      same += counted.advance(0.01).contacts;
+      EXPECT_TRUE(counted.contacts().empty());
+    }
+    EXPECT_GT(contacts, 50u) << name(method);
+    EXPECT_EQ(same, contacts) << name(method);
+    EXPECT_EQ(hashOf(counted), hashOf(listed)) << name(method);
+  }
+}
+
 TEST(SameBits, ABitMoreIsNotTheSame)  // or the hash would notice nothing
 {
   Scene scene = tray();
