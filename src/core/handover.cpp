@@ -66,13 +66,11 @@ void spread(WorldState& world, double start)
 bool roomAround(const Pile& pile, std::uint32_t slot)
 {
   if (pile.links_void) return false;
-  for (std::uint32_t l = pile.first_link[slot]; l != Pile::kEndOfChain; l = pile.chain[l / 2][l % 2])
-  {
-    const PairLink& link = pile.pairs[l / 2];
-    const double room = (pile.p[link.a] - pile.p[link.b]).norm() - pile.radius(link.a) - pile.radius(link.b);
-    if (room < kFreeRoom * pile.radius(slot)) return false;
-  }
-  return true;
+  return !pile.anyLink(slot, [&](std::uint32_t l) {
+    const PairLink& link = pile.pairs[l];
+    const double room = (pile.movers[link.a].p - pile.movers[link.b].p).norm() - pile.radius(link.a) - pile.radius(link.b);
+    return room < kFreeRoom * pile.radius(slot);
+  });
 }
 
 void letGoWhoIsFree(WorldState& world, double t, double smooth_until)
