@@ -18,7 +18,8 @@ namespace
 using Eigen::Vector4f;
 
 constexpr int kMostIterations = 8;
-constexpr double kGoodEnough = 0.03;    // change of a velocity that is not passed on, in least impacts
+constexpr double kGoodEnough = 0.03;    // change of a velocity that is not passed on, in least impacts,
+constexpr double kCreep = 6e-4;         // or less: a pile that creeps faster does not fall asleep [m/s]
 constexpr double kWakingForce = 0.3;    // change of a force on a sleeping ball that wakes it up: so much of its weight,
 constexpr double kWakingPart = 0.5;     // and so much of the force; deep in a pile forces sway by more than a weight
 
@@ -144,7 +145,7 @@ void warmStart(Pile& pile)
 // Every touch once; then those of balls that changed, forwards and backwards in turn, until nothing changes any more.
 void iterate(Pile& pile)
 {
-  const float least = static_cast<float>(kGoodEnough * pile.least_impact), small = least * least;
+  const float least = static_cast<float>(std::min(kGoodEnough * pile.least_impact, kCreep)), small = least * least;
   std::uint32_t since = 0;
   for (int iteration = 0; iteration < kMostIterations; ++iteration)
   {

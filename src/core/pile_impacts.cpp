@@ -12,7 +12,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMostImpacts = 4;      // of one ball in one step; what is left is up to the contacts
+constexpr int kMostImpacts = 15;     // of one ball in one step; what is left is up to the contacts
 
 // From t on the ball flies with this state: its path is drawn back to the start of the step.
 void fork(Pile& pile, std::size_t i, const BallState& state, double t)
