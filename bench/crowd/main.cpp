@@ -17,6 +17,7 @@ namespace
 struct Options
 {
   std::string out, scene, commit = "unknown";
+  double balls = 0.0;  // only this number; 0: a row of them
   bool quick = false;
 };
 
@@ -34,8 +35,10 @@ Options parse(int argc, char** argv)
       options.commit = argv[++i];
     else if (std::strcmp(argv[i], "--scene") == 0 && !last)
       options.scene = argv[++i];
+    else if (std::strcmp(argv[i], "--balls") == 0 && !last)
+      options.balls = std::stod(argv[++i]);
     else
-      throw std::runtime_error(std::string(argv[i]) + ": expected --quick, --scene NAME, --out FILE or --commit NAME");
+      throw std::runtime_error(std::string(argv[i]) + ": expected --quick, --scene NAME, --balls N, --out FILE or --commit NAME");
   }
   if (options.out.empty()) throw std::runtime_error("--out: missing: expected the CSV file to write");
   return options;
@@ -105,7 +108,8 @@ void measureAll(const Options& options)
   {
     if (!options.scene.empty() && scene.name != options.scene) continue;
     for (const CrowdPoint& point : points(scene))
-      for (double n = scene.fewest; n <= 1.0001 * static_cast<double>(most); n *= std::sqrt(10.0))
+      for (double n = options.balls > 0.0 ? options.balls : scene.fewest; n <= 1.0001 * static_cast<double>(most);
+           n *= std::sqrt(10.0))
       {
         const auto balls = static_cast<std::size_t>(n + 0.5);
         if (!point.engine->refuse(crowdOf(scene, balls), point.variant).empty()) break;
@@ -114,7 +118,7 @@ void measureAll(const Options& options)
         std::fprintf(stderr, "%s %s %s %g, %zu balls: %.4g us per ball and simulated second%s\n", scene.name.c_str(),
                      point.engine->name.c_str(), point.variant.c_str(), point.step, balls,
                      1e6 * result.cost / static_cast<double>(balls), result.done ? "" : ", not done");
-        if (!result.done || 4.0 * result.wall > effort.most) break;  // more balls would take too long
+        if (!result.done || options.balls > 0.0 || 4.0 * result.wall > effort.most) break;  // more would take too long
       }
   }
   std::fclose(file);
