@@ -145,6 +145,11 @@ def tray_table(rows, balls):
     return "\n".join(text)
 
 
+def undone(rows):
+    names = [name((p["engine"], p["variant"], p["step"])) for p in rows if p["scene"] == "tray" and not p["done"]]
+    return f"Not even a quarter of a second in a minute: {'; '.join(names)}.\n\n" if names else ""
+
+
 def tray_section(about, rows):
     counts = [p["balls"] for points in lines_of(rows, "tray").values() for p in points]
     if not counts:
@@ -157,7 +162,7 @@ A run that would take more than a minute is cut short, after a quarter of a simu
 
 {tray_table(rows, balls)}
 
-Commit {about.get("commit", "?")}, load of the machine at the start {about.get("load", "?")}.
+{undone(rows)}Commit {about.get("commit", "?")}, load of the machine at the start {about.get("load", "?")}.
 
 """
 

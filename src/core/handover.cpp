@@ -13,6 +13,7 @@ constexpr int kCrowded = 150;         // contacts of a ball with others,
 constexpr double kCrowdTime = 0.2;    // within this time, make it join [s]
 constexpr double kLongestStep = 2e-3; // of the pile, unless the scene's dt is shorter [s]
 constexpr float kFreeFor = 0.02f;     // without touching another ball, before a ball goes back [s]
+constexpr std::uint32_t kLetGoEvery = 8;  // steps: whoever leaves makes the links of all others void
 constexpr double kFreeRoom = 0.25;    // and so much room to other balls, in radii
 constexpr double kNear = 5e-4;        // room to a ball of the pile that is no room [m]
 
@@ -76,6 +77,7 @@ bool roomAround(const Pile& pile, std::uint32_t slot)
 void letGoWhoIsFree(WorldState& world, double t, double smooth_until)
 {
   const Pile& pile = world.pile;
+  if (pile.steps % kLetGoEvery != 0) return;
   std::vector<std::uint32_t>& free = world.islands.near;
   free.clear();
   for (const std::uint32_t slot : pile.awake)
