@@ -10,7 +10,8 @@ namespace
 {
 constexpr std::size_t kPairs = 8;    // room for so many links of balls a ball from the start,
 constexpr std::size_t kTouches = 4;  // so many in touch,
-constexpr std::size_t kBodies = 2;   // and so many with bodies
+constexpr std::size_t kBodies = 2;   // so many with bodies,
+constexpr std::size_t kMore = 64;    // and these for few balls among much furniture
 
 bool same(const BallParams& a, const BallParams& b)
 {
@@ -93,9 +94,9 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   pile.untouched.reserve(balls);
   pile.pairs.reserve(kPairs * balls);
   pile.active_pairs.reserve(kPairs * balls);
-  for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving}) links->reserve(kBodies * balls);
-  pile.active_bodies.reserve(kBodies * balls);
-  pile.body_touches.reserve(kBodies * balls);
+  for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving}) links->reserve(kBodies * balls + kMore);
+  pile.active_bodies.reserve(kBodies * balls + kMore);
+  pile.body_touches.reserve(kBodies * balls + kMore);
   pile.awake.reserve(balls);
   pile.waking.reserve(balls);
   pile.touches.reserve(kTouches * balls);
@@ -104,7 +105,7 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   pile.old_kept.reserve(kTouches * balls);
   pile.first_link.reserve(balls);
   pile.first_body.reserve(balls);
-  pile.ahead.reserve(kTouches * balls);
+  pile.ahead.reserve(kTouches * balls + kMore);
   pile.grid.start.reserve(2 * balls + 3);
   pile.grid.cell.reserve(balls);
   pile.grid.entries.reserve(balls);

@@ -208,7 +208,7 @@ std::size_t outside(const World& world, double half)
 // would take 0.35 s 2 e/(1 - e) = 2.8 s more, and it falls asleep 0.25 s later; in a crowd it is sooner.
 TEST(Impulse, BallsComeToRestInATrayAndStayThere)
 {
-  for (const Pour& pour : {Pour{7, 1e-3}, Pour{6, 2e-3}, Pour{6, 1.0 / 240.0}})
+  for (const Pour& pour : {Pour{7, 1e-3}, Pour{6, 2e-3}, Pour{6, 2.5e-3}})
   {
     World world(pour.scene());
     double deepest = 0.0, energy = world.totals().energy(), gained = 0.0;
