@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes docs/crowd_cost.md and its chart from the CSV file of the program `crowd`.
+"""Writes docs/crowd_cost.md and its chart from the CSV files of the program `crowd`: crowd.csv and, if there is one, tray.csv.
 
-usage: plot_crowd.py CSV DOCS
+usage: plot_crowd.py RESULTS DOCS
 """
 import csv
 import os
@@ -162,6 +162,45 @@ def table(rows, scene, balls):
     return "\n".join(text)
 
 
+def seconds(time):
+    return f"{time:.2g} s" if time >= 0.0 else "not"
+
+
+def tray_table(rows, balls):
+    text = ["| engine | wall time of a simulated second | of the costliest | simulated | deepest overlap | escaped | at rest after |",
+            "| --- | --- | --- | --- | --- | --- | --- |"]
+    for line, points in lines_of(rows, "tray").items():
+        for p in points:
+            if p["balls"] != balls:
+                continue
+            wall, worst = 1e-6 * p["cost_us"] * balls, 1e-6 * p["most_cost_us"] * balls
+            text.append(f"| {name(line)} | {wall:.2g} s | {worst:.2g} s | {p['simulated_s']:.2g} s | {size(p['overlap_m'])} | {p['escaped']:.0f} | "
+                        f"{seconds(p['rest_after_s'])} |")
+    return "\n".join(text)
+
+
+def undone(rows):
+    names = [name((p["engine"], p["variant"], p["step"])) for p in rows if p["scene"] == "tray" and not p["done"]]
+    return f"Not even a quarter of a second in a minute: {'; '.join(names)}.\n\n" if names else ""
+
+
+def tray_section(about, rows):
+    counts = [p["balls"] for points in lines_of(rows, "tray").values() for p in points]
+    if not counts:
+        return ""
+    balls = 10000.0 if 10000.0 in counts else max(counts)
+    return f"""## A tray is filled
+
+{balls:.0f} balls fall into a tray and come to rest ten layers deep; e = 0.8, friction 0.3. "At rest": no ball is faster than 10 mm/s from then on.
+A run that would take more than a minute is cut short, after a quarter of a simulated second or more: its cost is that of the fall, before balls lie on each other. `scripts/crowd --tray --peers` measures this table alone.
+
+{tray_table(rows, balls)}
+
+{undone(rows)}Commit {about.get("commit", "?")}, load of the machine at the start {about.get("load", "?")}.
+
+"""
+
+
 def ours_table(rows, scene):
     text = ["| balls | start | cost of a ball and simulated second | impacts of a ball and second | cost of an impact | memory of a ball | deepest overlap |",
             "| --- | --- | --- | --- | --- | --- | --- |"]
@@ -178,7 +217,7 @@ def most(rows, scene):
     return max((n for n in (10000.0, 3162.0, 1000.0) if shown.count(n) > 1), default=1000.0)
 
 
-def write_page(about, rows, docs):
+def write_page(about, rows, tray, docs):
     text = f"""# Crowds: cost against the number of balls
 
 <!-- Written by scripts/crowd from the output of `crowd`. Change scripts/plot_crowd.py, not this page. -->
@@ -232,7 +271,7 @@ Crowd, {most(rows, "crowd"):.0f} balls, after a second. Here energy is lost in i
 
 A ball is 40 mm wide.
 
-{about.get("machine", "?")}, {about.get("compiler", "?")}, commit {about.get("commit", "?")}. Load of the
+{tray}{about.get("machine", "?")}, {about.get("compiler", "?")}, commit {about.get("commit", "?")}. Load of the
 machine at the start: {about.get("load", "?")}; anything but 0 makes times longer, up to twice at a load of 4 on 2 cores.
 """
     with open(os.path.join(docs, "crowd_cost.md"), "w", encoding="utf-8") as file:
@@ -242,10 +281,13 @@ machine at the start: {about.get("load", "?")}; anything but 0 makes times longe
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    about, rows = read(sys.argv[1])
-    draw(rows, sys.argv[2])
-    draw_threads(rows, sys.argv[2])
-    write_page(about, rows, sys.argv[2])
+    results, docs = sys.argv[1:]
+    about, rows = read(os.path.join(results, "crowd.csv"))
+    alone = os.path.join(results, "tray.csv")
+    tray = read(alone) if os.path.exists(alone) else (about, rows)
+    draw(rows, docs)
+    draw_threads(rows, docs)
+    write_page(about, rows, tray_section(*tray), docs)
 
 
 if __name__ == "__main__":

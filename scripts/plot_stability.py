@@ -144,7 +144,7 @@ def write_page(rows, shots, docs):
 <!-- Written by scripts/stability from the output of `stability`. Change scripts/plot_stability.py, not this page. -->
 
 Every method of the ladder in every situation that is known to break simulators, at steps of {", ".join(step_name(s) for s in steps)}.
-`scripts/stability` measures the map; the test `stability` holds `exact` to every row, and the simple methods to the numbers at which they break.
+`scripts/stability` measures the map; the test `stability` holds `exact` to every row, the simple methods and `impulse` to the numbers at which they break.
 
 ![Stability map](stability/map.svg)
 

@@ -17,8 +17,10 @@ namespace ping_pong::bench
 {
 namespace
 {
+constexpr int kSecond = 100;    // ticks
 constexpr double kTick = 0.01;  // [s]: a picture or a message a hundred times a second
 constexpr int kLooks = 10;
+constexpr double kRest = 0.01;  // slower is rest [m/s]
 
 double now()
 {
@@ -91,20 +93,27 @@ private:
     for (double t = 0.0; t < crowd_.warm_up - 0.5 * kTick; t += kTick) engine_->advance(kTick);
     if (ours_) ours_->contacts = ours_->events = 0.0;
     const int ticks = static_cast<int>(std::lround(crowd_.longest / kTick));
-    double spent = 0.0;
+    double spent = 0.0, second = 0.0;
     int done = 0;
     while (done < ticks)
     {
       const double tick = now();
       engine_->advance(kTick);
-      spent += now() - tick;
+      second += now() - tick;
       ++done;
-      if (done % std::max(1, ticks / kLooks) == 0) look();
+      if (done % std::max(1, ticks / kLooks) == 0 || !crowd_.steady) lookForRest(done * kTick);
+      if (done % kSecond == 0 || done == ticks)
+      {
+        result_.most_cost = std::max(result_.most_cost, second);
+        spent += second;
+        second = 0.0;
+      }
       if (now() - begin_ > effort_.most) break;
-      if (crowd_.steady && spent > effort_.steady) break;
+      if (crowd_.steady && spent + second > effort_.steady) break;
     }
+    spent += second;
     result_.simulated = done * kTick;
-    result_.done = crowd_.steady || done == ticks;
+    result_.done = crowd_.steady || done == ticks || (crowd_.enough > 0.0 && result_.simulated >= crowd_.enough - 0.5 * kTick);
     result_.cost = spent / result_.simulated;
     const Soundness end = look();
     result_.energy_change = end.energy / energy - 1.0;
@@ -122,6 +131,13 @@ private:
     const Soundness found = soundnessOf(scene_, states);
     result_.overlap = std::max(result_.overlap, found.overlap);
     return found;
+  }
+
+  void lookForRest(double t)
+  {
+    const bool rests = look().fastest < kRest;
+    if (!rests) result_.rest_after = -1.0;
+    if (rests && result_.rest_after < 0.0) result_.rest_after = t;
   }
 
   const CrowdScene& crowd_;

@@ -22,6 +22,7 @@ struct CrowdResult
   double start = 0.0;           ///< wall time from scene to engine [s]
   double simulated = 0.0;       ///< measured part [s]
   double cost = 0.0;            ///< wall time per simulated second [s]
+  double most_cost = 0.0;       ///< the same for the costliest whole second
   double wall = 0.0;            ///< all of the process [s]
   double bytes = 0.0;           ///< peak memory of engine and run
   double contacts = 0.0;        ///< per simulated second; of our own engine
@@ -29,6 +30,7 @@ struct CrowdResult
   double energy_change = 0.0;   ///< at the end, relative
   double overlap = 0.0;         ///< deepest seen: at 10 looks, or all ticks if fewer [m]
   double escaped = 0.0;         ///< balls at the end
+  double rest_after = -1.0;     ///< from then on no ball is faster than 10 mm/s at any look; < 0: never [s]
   std::uint64_t hash = 0;       ///< of the end; of our own engine
 };
 

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "ping_pong_sim/room.h"
 #include "ping_pong_sim/scene_loader.h"
+#include "tray_scene.h"
 
 namespace ping_pong::bench
 {
@@ -30,16 +33,25 @@ double deepestPair(const Scene& scene, const std::vector<BallState>& balls)
     }
   return deepest;
 }
+// Inner size of the room, or of the tray, which is open at the top.
+Vector3d insideOf(const Scene& scene)
+{
+  if (const std::optional<Vector3d> room = roomSize(scene.bodies.front())) return *room;
+  const Vector3d tray = traySize(scene.balls.size());
+  return {tray.x(), tray.y(), std::numeric_limits<double>::infinity()};
+}
 }  // namespace
 
 const std::vector<CrowdScene>& crowdScenes()
 {
-  static const std::vector<CrowdScene> scenes = {{"gas", 0.05, 10.0, true}, {"crowd", 0.0, 1.0, false}};
+  static const std::vector<CrowdScene> scenes = {
+      {"gas", 0.05, 10.0, true}, {"crowd", 0.0, 1.0, false}, {"tray", 0.0, 4.0, false, 0.25, 100.0, {2.5e-3}}};
   return scenes;
 }
 
 Scene crowdOf(const CrowdScene& crowd, std::size_t balls)
 {
+  if (crowd.name == "tray") return trayScene(balls);
   LoadOptions options;
   options.balls = balls;
   return loadScene(std::string(SCENES_DIR) + "/" + crowd.name + ".yaml", options);
@@ -48,13 +60,14 @@ Scene crowdOf(const CrowdScene& crowd, std::size_t balls)
 Soundness soundnessOf(const Scene& scene, const std::vector<BallState>& balls)
 {
   const Body& room = scene.bodies.front();
-  const Vector3d size = *roomSize(room);
+  const Vector3d size = insideOf(scene);
   Soundness found;
   found.overlap = deepestPair(scene, balls);
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     const BallParams& params = scene.balls[i].params;
     const Vector3d p = balls[i].p_WB - room.pose.p;
+    found.fastest = std::max(found.fastest, balls[i].v_WB.norm());
     found.energy += params.mass * (0.5 * balls[i].v_WB.squaredNorm() - scene.forces.gravity.dot(p));
     const double beyond = std::max({std::abs(p.x()) - 0.5 * size.x(), std::abs(p.y()) - 0.5 * size.y(), -p.z(), p.z() - size.z()});
     if (!(beyond < 0.0))

@@ -13,6 +13,7 @@ constexpr int kCrowded = 150;         // contacts of a ball with others,
 constexpr double kCrowdTime = 0.2;    // within this time, make it join [s]
 constexpr double kLongestStep = 2e-3; // of the pile, unless the scene's dt is shorter [s]
 constexpr float kFreeFor = 0.02f;     // without touching another ball, before a ball goes back [s]
+constexpr std::uint32_t kLetGoEvery = 8;  // steps: whoever leaves makes the links of all others void
 constexpr double kFreeRoom = 0.25;    // and so much room to other balls, in radii
 constexpr double kNear = 5e-4;        // room to a ball of the pile that is no room [m]
 
@@ -68,18 +69,17 @@ void spread(WorldState& world, double start)
 bool roomAround(const Pile& pile, std::uint32_t slot)
 {
   if (pile.links_void) return false;
-  for (std::uint32_t l = pile.first_link[slot]; l != Pile::kEndOfChain; l = pile.chain[l / 2][l % 2])
-  {
-    const PairLink& link = pile.pairs[l / 2];
-    const double room = (pile.p[link.a] - pile.p[link.b]).norm() - pile.radius(link.a) - pile.radius(link.b);
-    if (room < kFreeRoom * pile.radius(slot)) return false;
-  }
-  return true;
+  return !pile.anyLink(slot, [&](std::uint32_t l) {
+    const PairLink& link = pile.pairs[l];
+    const double room = (pile.movers[link.a].p - pile.movers[link.b].p).norm() - pile.radius(link.a) - pile.radius(link.b);
+    return room < kFreeRoom * pile.radius(slot);
+  });
 }
 
 void letGoWhoIsFree(WorldState& world, double t, double smooth_until)
 {
   const Pile& pile = world.pile;
+  if (pile.steps % kLetGoEvery != 0) return;
   std::vector<std::uint32_t>& free = world.islands.near;
   free.clear();
   for (const std::uint32_t slot : pile.awake)

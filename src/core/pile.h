@@ -30,13 +30,13 @@ struct BallKind
   double give = 0.0;              ///< 1 + 1/k: slip of the touching point is this times impulse / mass
 };
 
-/// How a ball moves. One cache line.
+/// Where a ball is and how it moves: what the search for impacts needs. One cache line.
 struct alignas(64) Mover
 {
+  Vector3d p = Vector3d::Zero();  ///< within a step where the path that it now has would have begun [m]
   Vector3d v = Vector3d::Zero();  ///< [m/s]
-  Vector3d w = Vector3d::Zero();  ///< spin [rad/s]
   double clock = 0.0;             ///< of its last impact, from the start of the step [s]
-  std::uint32_t stamp = 0;        ///< when it last changed, on the counter of the pile
+  std::uint32_t stamp = 0;        ///< when it last had an impact, on the counter of the pile
   std::uint16_t kind = 0;
   std::uint8_t impacts = 0;       ///< in this step
   bool asleep : 1;
@@ -44,48 +44,79 @@ struct alignas(64) Mover
   bool was_loaded : 1;            ///< at the start of the step
   bool half_owed : 1;             ///< forces of the last half step are still to act
   bool kept_awake : 1;            ///< by a neighbour that is not still
+  bool calm : 1;                  ///< carried, and slower than half the least impact: two such balls have none
 
-  Mover() : asleep(false), loaded(false), was_loaded(false), half_owed(false), kept_awake(false) {}
+  Mover() : asleep(false), loaded(false), was_loaded(false), half_owed(false), kept_awake(false), calm(false) {}
 };
 
 static_assert(sizeof(Mover) == 64, "one cache line");
 
-/// Two balls that may touch soon, or a ball and a shape, with the impulses that acted between them in the last step.
+/// What the contacts of this step change of a ball; the last components of the vectors are 0.
+struct Change
+{
+  Eigen::Vector4f v = Eigen::Vector4f::Zero();    ///< of its velocity [m/s]
+  Eigen::Vector4f rim = Eigen::Vector4f::Zero();  ///< of radius times spin [m/s]
+  float per_impulse = 0.0f;      ///< 1 / mass, 0 while asleep [1/kg]
+  float rim_per_impulse = 0.0f;  ///< 1 / (k mass)
+  float fast = 0.0f;             ///< speed before the contacts [m/s]
+  std::uint32_t sweep = 0;       ///< that changed it last, on the counter of the pile
+};
+
+/// Impulses that acted in a contact in the last step.
 struct Push
 {
   float normal = 0.0f;                        ///< >= 0 [N s]
   Eigen::Vector3f tangent{0.0f, 0.0f, 0.0f};  ///< of friction [N s]
 };
 
+/// Two balls that may touch soon. Each ball has a chain of its links: see anyLink().
 struct PairLink
 {
-  std::uint32_t a, b;   ///< slots; normals point from b to a
-  Push push;
-  float held = -1.0f;   ///< normal force when one of them fell asleep; < 0: unknown [N]
+  std::uint32_t a, b;            ///< slots; normals point from b to a
+  std::uint32_t next_a, next_b;  ///< of the chains of a and b: twice the index of a link, and 1 if the ball is its b
 };
 
+/// A ball and a shape that may touch soon.
 struct BodyLink
 {
   std::uint32_t ball;
+  std::uint32_t next;            ///< link of this ball with a still body
   std::uint16_t body, shape;
   Push push;
+};
+
+/// What is kept of a pair in touch from step to step.
+struct KeptPair
+{
+  std::uint32_t link = 0;
+  Push push;
+  float held = -1.0f;            ///< normal force when one of them fell asleep; < 0: both are awake [N]
+};
+
+/// The same while the links are built anew.
+struct KeptBalls
+{
+  std::uint32_t a, b;
+  KeptPair kept;
 };
 
 /// A link in touch, as the solver needs it.
 struct Touch
 {
-  Eigen::Vector3f n;         ///< unit normal, to the (first) ball
-  float target;              ///< least normal velocity of the first relative to the second [m/s]
+  Eigen::Vector4f n;             ///< unit normal, to the (first) ball
+  Eigen::Vector4f slip;          ///< of the touching points, before the contacts [m/s]
+  Eigen::Vector4f tangent;       ///< impulse of friction [N s]
+  float normal;                  ///< impulse along n, >= 0 [N s]
+  float target;                  ///< least change of the normal velocity of the first relative to the second [m/s]
   float normal_mass, slip_mass, friction;
-  float inverse_a, inverse_b;  ///< 1 / mass, 0 while asleep [1/kg]
-  std::uint32_t link, a, b;  ///< index of the link, slots of its balls (b only if there are two)
-  Push push;
+  std::uint32_t a, b;            ///< slots of its balls
+  std::uint32_t link;
 };
 
 struct BodyTouch : Touch
 {
-  Eigen::Vector3f u;         ///< velocity of the touched point of the body [m/s]
-  bool moving;               ///< link of a moving body
+  Vector3d u;                    ///< velocity of the touched point of the body [m/s]
+  bool moving;                   ///< link of a moving body
   std::uint16_t material;
 };
 
@@ -103,6 +134,7 @@ struct PileGrid
   struct Entry
   {
     Eigen::Vector3f centre, half;  ///< of the box of a ball, from the origin of the grid [m]
+    float round;                   ///< radius of a sphere about the same centre that contains its way, too [m]
     std::uint32_t slot;
   };
   Vector3d origin = Vector3d::Zero();
@@ -125,8 +157,9 @@ struct Pile
   // One for each ball ("slot").
   std::vector<std::uint32_t> ball;      ///< its index in WorldState::balls
   std::vector<Mover> movers;
-  std::vector<Vector3d> p;              ///< where it is; within a step where the path that it now has would have begun [m]
+  std::vector<Vector3d> w;              ///< spin [rad/s]
   std::vector<Quaterniond> q;
+  std::vector<Change> changes;
   std::vector<Vector3d> a;              ///< acceleration, where it is not constant [m/s^2]
   std::vector<Vector3d> home;           ///< where it was when the links were built [m]
   std::vector<Eigen::Vector3f> sweep;   ///< way that the links cover from there, and by the margin around it [m]
@@ -142,12 +175,15 @@ struct Pile
   std::vector<std::uint32_t> active_pairs, active_bodies;  ///< links with an end that is awake
   std::vector<Touch> touches;
   std::vector<BodyTouch> body_touches;
+  std::vector<KeptPair> kept;           ///< by link, of links with an end that is awake
+  std::vector<KeptPair> kept_asleep;    ///< by link, of the others
+  std::vector<KeptPair> all_kept;       ///< scratch
+  std::vector<float> held;              ///< of each touch, see KeptPair
   std::vector<std::uint32_t> waking;    ///< slots to wake up at the end of the step
-  std::vector<std::uint32_t> first_link;             ///< of each ball: twice its index in `pairs`, and 1 if the ball is b
-  std::vector<std::array<std::uint32_t, 2>> chain;   ///< of each pair: the next link of a, of b
-  std::vector<std::uint32_t> first_body, body_chain; ///< of each ball its first link in `bodies`; of each link the next
-  std::vector<ImpactAhead> ahead;                    ///< heap, the next one on top
-  std::vector<PairLink> old_pairs;
+  std::vector<std::uint32_t> first_link;  ///< of each ball, the beginning of the chain of its links in `pairs`
+  std::vector<std::uint32_t> first_body;  ///< the same in `bodies`
+  std::vector<ImpactAhead> ahead;         ///< heap, the next one on top
+  std::vector<KeptBalls> old_kept;
   std::vector<BodyLink> old_bodies;
   PileGrid grid;
   float margin = 0.0f;                  ///< of the links [m]
@@ -160,8 +196,10 @@ struct Pile
   double h = 0.0;                       ///< length of the step [s]
   double start = 0.0;                   ///< of the step [s]
   std::size_t squeezed = 0;             ///< balls deep in a body at the start of this step
-  double least_impact = 0.0;            ///< slower is no impact but a contact [m/s]
+  double least_impact = 0.0;            ///< of the first impact in a step [m/s]
 
+  /// Slower is no impact but a contact [m/s]: after each impact in a step four times as much, or a jam would have no end.
+  double leastImpact(int impacts) const { return least_impact * static_cast<double>(1 << (2 * impacts)); }
   const Vector3d& flightAcceleration(std::size_t i) const { return a.empty() ? kinds[movers[i].kind].a : a[i]; }
   /// On its path within the step, before contacts: what carries a ball also bears its weight.
   Vector3d pathAcceleration(std::size_t i) const
@@ -169,7 +207,25 @@ struct Pile
     return movers[i].loaded || movers[i].asleep ? Vector3d(Vector3d::Zero()) : flightAcceleration(i);
   }
   double inverseMass(std::size_t i) const { return movers[i].asleep ? 0.0 : kinds[movers[i].kind].inverse_mass; }
+  /// Distance of the centres of two balls that touch [m].
+  double reach(std::size_t i, std::size_t k) const
+  {
+    return kinds.size() == 1 ? 2.0 * kinds.front().params.radius : radius(i) + radius(k);
+  }
   double radius(std::size_t i) const { return kinds[movers[i].kind].params.radius; }
+  /// Action on the index of every link of a ball in `pairs`, the last one made first, until it returns true: then true.
+  template <typename Action>
+  bool anyLink(std::uint32_t ball, const Action& action) const
+  {
+    for (std::uint32_t end = first_link[ball]; end != kEndOfChain;)
+    {
+      const PairLink& link = pairs[end / 2];
+      const std::uint32_t next = end % 2 == 0 ? link.next_a : link.next_b;
+      if (action(end / 2)) return true;
+      end = next;
+    }
+    return false;
+  }
   const BallParams& params(std::size_t i) const { return kinds[movers[i].kind].params; }
 
   void wake(std::size_t i);
@@ -198,6 +254,9 @@ void wakeNear(Pile& pile, const Vector3d& p_WB, double radius);
 /// Steps of equal length from `start` to `end`; then writes the states of balls that have moved into the records of the
 /// world.
 void runPile(WorldState& world, double start, double end, double longest_step);
+
+/// Links are void: what is known of them is kept by their balls until there are new ones.
+void detachKept(Pile& pile);
 
 // --- parts of a step, in this order ---
 

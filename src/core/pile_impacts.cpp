@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "count.h"
-#include "pile.h"
-#include "ping_pong_sim/evolve.h"
+#include "pile_ahead.h"
 #include "ping_pong_sim/resolve.h"
 #include "world_state.h"
 
@@ -13,40 +12,21 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMostImpacts = 4;      // of one ball in one step; what is left is up to the contacts
-constexpr int kMostMarchSteps = 20;  // of a search for the time of an impact
-
-Vector3d placeAt(const Pile& pile, std::size_t i, double t)
-{
-  return pile.p[i] + t * (pile.movers[i].v + (0.5 * t) * pile.pathAcceleration(i));
-}
-
-Vector3d velocityAt(const Pile& pile, std::size_t i, double t)
-{
-  return pile.movers[i].v + t * pile.pathAcceleration(i);
-}
+constexpr int kMostImpacts = 15;     // of one ball in one step; what is left is up to the contacts
 
 // From t on the ball flies with this state: its path is drawn back to the start of the step.
 void fork(Pile& pile, std::size_t i, const BallState& state, double t)
 {
   Mover& mover = pile.movers[i];
-  if (!mover.w.isZero(0.0)) turnBall(pile.q[i], (t - mover.clock) * mover.w);
+  if (!pile.w[i].isZero(0.0)) turnBall(pile.q[i], (t - mover.clock) * pile.w[i]);
   const Vector3d a = pile.pathAcceleration(i);
   mover.v = state.v_WB - t * a;
-  mover.w = state.w_WB;
-  pile.p[i] = state.p_WB - t * (state.v_WB - (0.5 * t) * a);
+  pile.w[i] = state.w_WB;
+  mover.p = state.p_WB - t * (state.v_WB - (0.5 * t) * a);
   mover.clock = t;
   mover.stamp = pile.counter;
+  mover.calm = false;
   ++mover.impacts;
-}
-
-BallState stateAt(const Pile& pile, std::size_t i, double t)
-{
-  BallState state;
-  state.p_WB = placeAt(pile, i, t);
-  state.v_WB = velocityAt(pile, i, t);
-  state.w_WB = pile.movers[i].w;
-  return state;
 }
 
 // A record of the impact, as long as there is room: none is taken while the world moves on.
@@ -103,81 +83,7 @@ void hitPair(WorldState& world, const PairLink& link, double t)
   pile.untouched[link.a] = pile.untouched[link.b] = 0.0f;
 }
 
-// Time of the impact of two balls in this step, or kNever. Where both are under the same acceleration, their relative path is
-// a line. Most pairs part, or are too far from each other: they are told by products alone.
-double pairImpact(const Pile& pile, const PairLink& link)
-{
-  const Mover &a = pile.movers[link.a], &b = pile.movers[link.b];
-  const double from = std::max(a.clock, b.clock);
-  const double left = pile.h - from;
-  Vector3d d = pile.p[link.a] - pile.p[link.b];
-  Vector3d u = a.v - b.v;
-  if (!pile.a.empty() || a.kind != b.kind || a.loaded != b.loaded)
-  {
-    const Vector3d pull = pile.pathAcceleration(link.a) - pile.pathAcceleration(link.b);
-    d += (0.5 * from * from) * pull;
-    u += (from + 0.5 * left) * pull;
-    d += from * (u - (from + 0.5 * left) * pull);
-  }
-  else if (from > 0.0)
-    d += from * u;
-  const double du = d.dot(u);
-  if (du >= 0.0) return kNever;
-  const double reach = pile.radius(link.a) + pile.radius(link.b);
-  const double c = d.squaredNorm() - reach * reach;
-  if (c + 2.0 * du * left > 0.0) return kNever;
-  const double least = pile.least_impact * pile.least_impact * reach * reach;
-  if (c <= 0.0) return du * du > least ? from : kNever;
-  const double discriminant = du * du - u.squaredNorm() * c;
-  if (discriminant < least) return kNever;
-  const double t = from + c / (std::sqrt(discriminant) - du);
-  return t <= pile.h ? t : kNever;
-}
-
 // --- a ball and a shape ---
-
-// Marches as firstContact() does, see detect.h: the gap stays above its tangent parabola.
-double stillImpact(const Pile& pile, std::size_t i, const Shape& placed)
-{
-  const Vector3d a = pile.pathAcceleration(i);
-  double t = pile.movers[i].clock;
-  for (int step = 0; step < kMostMarchSteps; ++step)
-  {
-    const Vector3d p = placeAt(pile, i, t);
-    const Gap gap = gapTo(placed, p, velocityAt(pile, i, t), pile.radius(i));
-    if (gap.gap <= touchTolerance(p, pile.radius(i))) return gap.rate < -pile.least_impact ? t : kNever;
-    const double press = gap.n_W.dot(a);
-    const double discriminant = gap.rate * gap.rate - 2.0 * press * gap.gap;
-    if (discriminant < 0.0) return kNever;
-    const double closing = std::sqrt(discriminant) - gap.rate;
-    if (closing <= 0.0) return kNever;
-    t += 2.0 * gap.gap / closing;
-    if (t > pile.h) return kNever;
-  }
-  return t;
-}
-
-double movingImpact(const Pile& pile, std::size_t i, const Shape& shape, const BodyMotion& motion)
-{
-  const double from = pile.start + pile.movers[i].clock;
-  const Segment path = flyParabola(stateAt(pile, i, 0.0), pile.start, pile.pathAcceleration(i));
-  const Detection found = firstContact(path, pile.radius(i), shape, motion, from, pile.start + pile.h);
-  if (!found.found()) return kNever;
-  const BodyFrame frame = frameAt(motion, found.time - motion.start);
-  const double t = found.time - pile.start;
-  const Gap gap = gapTo(shape, frame, placeAt(pile, i, t), velocityAt(pile, i, t), pile.radius(i));
-  return gap.rate < -pile.least_impact ? t : kNever;
-}
-
-double bodyImpact(const WorldState& world, const BodyLink& link)
-{
-  const BodyRecord& body = world.bodies[link.body];
-  const Shape& shape = body.shapes()[link.shape];
-  count(meeting(shape.kind));
-  if (body.moving) count(Law::MeetMoving);
-  return body.moving ? movingImpact(world.pile, link.ball, shape, body.motion)
-                     : stillImpact(world.pile, link.ball, shape);
-}
 
 void hitBody(WorldState& world, const BodyLink& link, double t)
 {
@@ -222,6 +128,7 @@ bool tired(const Pile& pile, std::uint32_t i) { return pile.movers[i].impacts >=
 void lookAtPair(Pile& pile, std::uint32_t l)
 {
   const PairLink& link = pile.pairs[l];
+  if (pile.movers[link.a].calm && pile.movers[link.b].calm) return;
   if (tired(pile, link.a) || tired(pile, link.b)) return;
   count(Law::PairSearch);
   push(pile, pairImpact(pile, link), 3 * l);
@@ -229,6 +136,8 @@ void lookAtPair(Pile& pile, std::uint32_t l)
 
 void lookAtBody(WorldState& world, const BodyLink& link, std::uint32_t code)
 {
+  const bool still = !world.bodies[link.body].moving;
+  if (still && world.pile.movers[link.ball].calm) return;
   if (!tired(world.pile, link.ball)) push(world.pile, bodyImpact(world, link), code);
 }
 
@@ -247,10 +156,12 @@ void lookAgain(WorldState& world, std::uint32_t i)
   Pile& pile = world.pile;
   for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
     if (pile.moving[l].ball == i) lookAtBody(world, pile.moving[l], 3 * l + 2);
-  for (std::uint32_t l = pile.first_body[i]; l != Pile::kEndOfChain; l = pile.body_chain[l])
+  for (std::uint32_t l = pile.first_body[i]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
     lookAtBody(world, pile.bodies[l], 3 * l + 1);
-  for (std::uint32_t l = pile.first_link[i]; l != Pile::kEndOfChain; l = pile.chain[l / 2][l % 2])
-    lookAtPair(pile, l / 2);
+  pile.anyLink(i, [&pile](std::uint32_t l) {
+    lookAtPair(pile, l);
+    return false;
+  });
 }
 
 // Handles one impact; balls that it has thrown off their path are put into a and b, twice the same if it is but one.

@@ -15,16 +15,17 @@ bool still(const Pile& pile, std::size_t i)
 {
   const Mover& mover = pile.movers[i];
   return pile.still[i] > kStillFor && !mover.kept_awake && mover.v.squaredNorm() < kStillSpeed * kStillSpeed &&
-         mover.w.norm() * pile.radius(i) < kStillSpeed;
+         pile.w[i].norm() * pile.radius(i) < kStillSpeed;
 }
 
 void sleep(WorldState& world, std::size_t i)
 {
   Pile& pile = world.pile;
   Mover& mover = pile.movers[i];
-  mover.asleep = mover.loaded = true;
+  mover.asleep = mover.loaded = mover.calm = true;
   mover.v.setZero();
-  mover.w.setZero();
+  pile.w[i].setZero();
+  pile.changes[i] = Change();
   pile.active_void = true;
   BallRecord& ball = world.balls[pile.ball[i]];
   ball.asleep = true;
@@ -58,8 +59,8 @@ void Pile::wake(std::size_t i)
 
 void wakeNear(Pile& pile, const Vector3d& p_WB, double radius)
 {
-  for (std::size_t i = 0; i < pile.p.size(); ++i)
-    if ((pile.p[i] - p_WB).norm() < radius + pile.radius(i) + kNear) pile.wake(i);
+  for (std::size_t i = 0; i < pile.movers.size(); ++i)
+    if ((pile.movers[i].p - p_WB).norm() < radius + pile.radius(i) + kNear) pile.wake(i);
 }
 
 void settlePile(WorldState& world)

@@ -1,0 +1,188 @@
+// The way of balls into the pile, and back into the records of the world.
+#include <algorithm>
+
+#include "pile.h"
+#include "world_state.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr std::size_t kPairs = 8;    // room for so many links of balls a ball from the start,
+constexpr std::size_t kTouches = 4;  // so many in touch,
+constexpr std::size_t kBodies = 2;   // so many with bodies,
+constexpr std::size_t kMore = 64;    // and these for few balls among much furniture
+
+bool same(const BallParams& a, const BallParams& b)
+{
+  return a.radius == b.radius && a.mass == b.mass && a.inertia == b.inertia && a.material == b.material;
+}
+
+std::uint16_t kindOf(Pile& pile, const BallRecord& ball)
+{
+  for (std::size_t k = 0; k < pile.kinds.size(); ++k)
+    if (same(pile.kinds[k].params, ball.params)) return static_cast<std::uint16_t>(k);
+  BallKind kind{ball.params, ball.model};
+  if (ball.model.constant()) kind.a = ball.model.acceleration(Vector3d::Zero(), Vector3d::Zero());
+  kind.spin_per_impulse = 1.0 / (ball.params.inertia * ball.params.radius);
+  kind.inverse_mass = 1.0 / ball.params.mass;
+  kind.give = 1.0 + 1.0 / ball.params.inertia;
+  pile.kinds.push_back(kind);
+  return static_cast<std::uint16_t>(pile.kinds.size() - 1);
+}
+
+void take(WorldState& world, std::size_t slot, double time)
+{
+  Pile& pile = world.pile;
+  const BallRecord& ball = world.balls[pile.ball[slot]];
+  const BallState state = ball.stateAt(time);
+  Mover mover;
+  mover.kind = kindOf(pile, ball);
+  mover.v = state.v_WB;
+  mover.asleep = mover.loaded = mover.was_loaded = ball.asleep;
+  mover.p = pile.home[slot] = state.p_WB;
+  pile.movers[slot] = mover;
+  pile.w[slot] = state.w_WB;
+  pile.changes[slot] = Change();
+  pile.q[slot] = state.q_WB;
+  pile.still[slot] = pile.untouched[slot] = 0.0f;
+  pile.links_void = pile.active_void = true;
+}
+}  // namespace
+
+void clearPile(Pile& pile)
+{
+  pile.ball.clear();
+  pile.movers.clear();
+  pile.w.clear();
+  pile.q.clear();
+  pile.changes.clear();
+  pile.a.clear();
+  pile.home.clear();
+  pile.sweep.clear();
+  pile.anchor.clear();
+  pile.still.clear();
+  pile.untouched.clear();
+  pile.kinds.clear();
+  pile.pairs.clear();
+  pile.kept.clear();
+  pile.kept_asleep.clear();
+  pile.old_kept.clear();
+  pile.bodies.clear();
+  pile.moving.clear();
+  pile.awake.clear();
+  pile.active_pairs.clear();
+  pile.active_bodies.clear();
+  pile.counter = 1;
+  pile.steps = 0;
+  pile.h = 0.0;
+  pile.links_void = pile.active_void = true;
+}
+
+void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
+{
+  pile.ball.reserve(balls);
+  pile.movers.reserve(balls);
+  pile.w.reserve(balls);
+  pile.q.reserve(balls);
+  pile.changes.reserve(balls);
+  if (!constant_forces) pile.a.reserve(balls);
+  pile.home.reserve(balls);
+  pile.sweep.reserve(balls);
+  pile.anchor.reserve(balls);
+  pile.still.reserve(balls);
+  pile.untouched.reserve(balls);
+  pile.pairs.reserve(kPairs * balls);
+  pile.active_pairs.reserve(kPairs * balls);
+  for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving}) links->reserve(kBodies * balls + kMore);
+  pile.active_bodies.reserve(kBodies * balls + kMore);
+  pile.body_touches.reserve(kBodies * balls + kMore);
+  pile.awake.reserve(balls);
+  pile.waking.reserve(balls);
+  pile.touches.reserve(kTouches * balls);
+  for (std::vector<KeptPair>* list : {&pile.kept, &pile.kept_asleep, &pile.all_kept}) list->reserve(kTouches * balls);
+  pile.held.reserve(kTouches * balls);
+  pile.old_kept.reserve(kTouches * balls);
+  pile.first_link.reserve(balls);
+  pile.first_body.reserve(balls);
+  pile.ahead.reserve(kTouches * balls + kMore);
+  pile.grid.start.reserve(2 * balls + 3);
+  pile.grid.cell.reserve(balls);
+  pile.grid.entries.reserve(balls);
+  pile.grid.large.reserve(balls);
+  pile.grid.strays.reserve(balls);
+}
+
+void addToPile(WorldState& world, std::uint32_t ball, double time)
+{
+  Pile& pile = world.pile;
+  pile.ball.push_back(ball);
+  pile.movers.emplace_back();
+  pile.w.emplace_back();
+  pile.q.push_back(Quaterniond::Identity());
+  pile.changes.emplace_back();
+  if (!world.balls[ball].model.constant()) pile.a.push_back(Vector3d::Zero());
+  pile.home.emplace_back();
+  pile.sweep.push_back(Eigen::Vector3f::Zero());
+  pile.anchor.push_back(Eigen::Vector3f::Zero());
+  pile.still.push_back(0.0f);
+  pile.untouched.push_back(0.0f);
+  take(world, pile.ball.size() - 1, time);
+}
+
+void dropFromPile(Pile& pile, std::uint32_t ball)
+{
+  const auto found = std::find(pile.ball.begin(), pile.ball.end(), ball);
+  if (found == pile.ball.end()) return;
+  const auto slot = static_cast<std::uint32_t>(found - pile.ball.begin());
+  wakeNear(pile, pile.movers[slot].p, pile.radius(slot));
+  const auto drop = [slot](auto& list) {
+    if (slot < list.size()) list.erase(list.begin() + slot);
+  };
+  drop(pile.ball), drop(pile.movers), drop(pile.w), drop(pile.q), drop(pile.changes), drop(pile.a), drop(pile.home);
+  drop(pile.sweep), drop(pile.anchor), drop(pile.still), drop(pile.untouched);
+  detachKept(pile);
+  const auto forget = [](auto& links, const auto& its) {
+    links.erase(std::remove_if(links.begin(), links.end(), its), links.end());
+  };
+  forget(pile.old_kept, [slot](const KeptBalls& kept) { return kept.a == slot || kept.b == slot; });
+  forget(pile.bodies, [slot](const BodyLink& link) { return link.ball == slot; });
+  for (KeptBalls& kept : pile.old_kept) kept.a -= kept.a > slot, kept.b -= kept.b > slot;
+  for (BodyLink& link : pile.bodies) link.ball -= link.ball > slot;
+  pile.links_void = pile.active_void = true;
+}
+
+void removeFromPile(Pile& pile, std::uint32_t ball)
+{
+  dropFromPile(pile, ball);
+  for (std::uint32_t& other : pile.ball) other -= other > ball;
+}
+
+void disturbPile(WorldState& world)
+{
+  for (std::size_t slot = 0; slot < world.pile.ball.size(); ++slot)
+  {
+    world.balls[world.pile.ball[slot]].asleep = false;
+    take(world, slot, world.time);
+  }
+}
+
+void restatePile(WorldState& world, std::size_t slot)
+{
+  world.balls[world.pile.ball[slot]].asleep = false;
+  wakeNear(world.pile, world.pile.movers[slot].p, world.pile.radius(slot));
+  take(world, slot, world.time);
+  wakeNear(world.pile, world.pile.movers[slot].p, world.pile.radius(slot));
+}
+
+void storeBall(WorldState& world, std::size_t slot, double time)
+{
+  const Pile& pile = world.pile;
+  Segment& path = world.balls[pile.ball[slot]].path;
+  path.start = time;
+  path.c[0] = pile.movers[slot].p;
+  path.c[1] = pile.movers[slot].v;
+  path.w_WB = pile.w[slot];
+  path.q_WB = pile.q[slot];
+}
+}  // namespace ping_pong
