@@ -24,7 +24,7 @@ set_target_properties(${PROJECT_NAME}_teleop PROPERTIES OUTPUT_NAME teleop)
 target_link_libraries(${PROJECT_NAME}_teleop PRIVATE
   ${PROJECT_NAME}_operator ${PROJECT_NAME}_ros ${PROJECT_NAME}_options)
 install(TARGETS ${PROJECT_NAME}_teleop RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-install(PROGRAMS scripts/view DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(PROGRAMS scripts/view scripts/joystick DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 # For RViz. Without its headers the simulator is built without them.
 find_package(rviz QUIET)

@@ -6,6 +6,7 @@ import time
 
 X, Y, WIDTH, HEIGHT = 290, 380, 70, 110  # of the paddle at rest in the standard view
 PATIENCE = 20.0  # [s]
+KEYS = 'sdwa'  # in turn: what comes towards the viewer shows later than what goes sideways
 ALL_PLANES, Z_PIXMAP = ctypes.c_ulong(-1), 2
 
 x11 = ctypes.CDLL('libX11.so.6')
@@ -84,12 +85,13 @@ def main():
         wait_until(lambda: pixels() != moved, 'no reset')
         start = at_rest(0.8)  # a paddle that comes to rest goes on for longer than pixels show
         time.sleep(0.037 * (len(delays) % 5))  # not in step with the frames
+        pressed = KEYS[len(delays) % len(KEYS)]
         begun = time.perf_counter()
-        key('s', True)
+        key(pressed, True)
         wait_until(lambda: pixels() != start, 'no motion')
         delays.append(1e3 * (time.perf_counter() - begun))
         time.sleep(0.1)
-        key('s', False)
+        key(pressed, False)
     delays.sort()
     print(f'key to pixel, {times} times: median {statistics.median(delays):.0f} ms, '
           f'nine in ten within {delays[int(0.9 * (times - 1))]:.0f} ms, most {delays[-1]:.0f} ms')

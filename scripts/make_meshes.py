@@ -262,7 +262,7 @@ class Mesh:
                 else:
                     self.quad(material, points, [normal] * 4, uvs)
 
-    def tube(self, material, start, end, radius, sides=28, caps=True, bevel=0.0):
+    def tube(self, material, start, end, radius, sides=14, caps=True, bevel=0.0):
         axis = unit(sub(end, start))
         side = unit(cross(axis, (1, 0, 0) if abs(axis[0]) < 0.9 else (0, 1, 0)))
         up = cross(axis, side)
@@ -347,17 +347,17 @@ def table_top():
 
     def area(material, x0, x1, y0, y1, counts):
         mesh.sheet(material, (x0, y0, 0), (x1 - x0, 0, 0), (0, y1 - y0, 0), counts, uv)
-    area(blue, -a, a, -b, -c, (48, 14))
-    area(blue, -a, a, c, b, (48, 14))
-    area(line, -a, a, -c, c, (48, 1))
+    area(blue, -a, a, -b, -c, (24, 7))
+    area(blue, -a, a, c, b, (24, 7))
+    area(line, -a, a, -c, c, (24, 1))
     for sign in (-1, 1):
-        area(line, -x, x, *sorted((sign * b, sign * y)), (48, 1))
-        area(line, *sorted((sign * a, sign * x)), -b, b, (1, 28))
-    mesh.sheet(side, (-x, y, -d), (2 * x, 0, 0), (0, -2 * y, 0), (12, 8))
-    mesh.sheet(side, (-x, -y, -d), (2 * x, 0, 0), (0, 0, d), (24, 1))
-    mesh.sheet(side, (x, y, -d), (-2 * x, 0, 0), (0, 0, d), (24, 1))
-    mesh.sheet(side, (x, -y, -d), (0, 2 * y, 0), (0, 0, d), (14, 1))
-    mesh.sheet(side, (-x, y, -d), (0, -2 * y, 0), (0, 0, d), (14, 1))
+        area(line, -x, x, *sorted((sign * b, sign * y)), (24, 1))
+        area(line, *sorted((sign * a, sign * x)), -b, b, (1, 14))
+    mesh.sheet(side, (-x, y, -d), (2 * x, 0, 0), (0, -2 * y, 0), (6, 4))
+    mesh.sheet(side, (-x, -y, -d), (2 * x, 0, 0), (0, 0, d), (12, 1))
+    mesh.sheet(side, (x, y, -d), (-2 * x, 0, 0), (0, 0, d), (12, 1))
+    mesh.sheet(side, (x, -y, -d), (0, 2 * y, 0), (0, 0, d), (7, 1))
+    mesh.sheet(side, (-x, y, -d), (0, -2 * y, 0), (0, 0, d), (7, 1))
     return mesh
 
 
@@ -385,7 +385,7 @@ def floor():
     mesh = Mesh()
     material = Material('floor', glow=0.7, texture='floor.png')
     half = FLOOR_SIZE / 2
-    mesh.sheet(material, (-half, -half, 0), (FLOOR_SIZE, 0, 0), (0, FLOOR_SIZE, 0), (40, 40))
+    mesh.sheet(material, (-half, -half, 0), (FLOOR_SIZE, 0, 0), (0, FLOOR_SIZE, 0), (20, 20))
     return mesh
 
 
@@ -437,7 +437,7 @@ def handle_half_width(z):
     return 0.0141 - 0.0012 * math.sin(math.pi * min(t / 0.75, 1)) + 0.0030 * smooth((t - 0.45) / 0.55)
 
 
-def blade_outline(points=96):
+def blade_outline(points=48):
     """(y, z) round the wood, with the shoulders that run into the handle."""
     shoulder = math.radians(142)
     outline = []
@@ -450,20 +450,20 @@ def blade_outline(points=96):
     tangent = unit((outline[-1][0] - outline[-2][0], outline[-1][1] - outline[-2][1]))
     z1 = -0.0950
     y1 = handle_half_width(z1)
-    for k in range(1, 13):
-        t = k / 12
+    for k in range(1, 9):
+        t = k / 8
         b = ((1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3)
         c0 = (y0 + 0.020 * tangent[0], z0 + 0.020 * tangent[1])
         c1 = (y1, z1 + 0.016)
         outline.append((b[0] * y0 + b[1] * c0[0] + b[2] * c1[0] + b[3] * y1,
                         b[0] * z0 + b[1] * c0[1] + b[2] * c1[1] + b[3] * z1))
-    for k in range(1, 13):  # between the halves of the handle, and a hair wider
-        z = z1 + (HANDLE_END + 0.002 - z1) * k / 12
+    for k in range(1, 7):  # between the halves of the handle, and a hair wider
+        z = z1 + (HANDLE_END + 0.002 - z1) * k / 6
         outline.append((handle_half_width(z), z))
     return outline + [(-y, z) for y, z in reversed(outline[1:])]
 
 
-def rubber_outline(points=96):
+def rubber_outline(points=56):
     """The blade's round cut off above the handle, with round corners at the cut."""
     cut, result = -0.0665, []
     for k in range(points):
@@ -500,7 +500,7 @@ def paddle():
     mesh.loft(wood, [ring[::-1] for ring in rings], wood_uv)
     for x in (-half, half):
         upper = [(y, z) for y, z in outline if z > -0.1000]
-        mesh.fan(wood, [(x, y, z) for y, z in upper], (math.copysign(1, x), 0, 0), wood_uv, steps=2)
+        mesh.fan(wood, [(x, y, z) for y, z in upper], (math.copysign(1, x), 0, 0), wood_uv, steps=1)
 
     # Rubbers: sponge, sheet, and a rounded rim.
     outline = rubber_outline()
@@ -511,9 +511,9 @@ def paddle():
             return loop[::-1] if sign > 0 else loop
         low, mid, high = half, half + SPONGE, half + SPONGE + SHEET
         mesh.loft(sponge, [ring(low), ring(mid)])
-        mesh.loft(edge, [ring(mid), ring(high - 0.0005), ring(high - 0.0001, 0.0004)])
+        mesh.loft(edge, [ring(mid), ring(high - 0.0001, 0.0004)])
         mesh.loft(sheet, [ring(high - 0.0001, 0.0004), ring(high, 0.0010)])
-        mesh.fan(sheet, ring(high, 0.0010), (sign, 0, 0), steps=5)
+        mesh.fan(sheet, ring(high, 0.0010), (sign, 0, 0), steps=2)
 
     # Handle: two rounded halves that flare to the end, and an inlay along each side's middle.
     def section(z):
@@ -535,7 +535,7 @@ def paddle():
             power = 2 / 3.2
             loop.append((depth * math.copysign(abs(c) ** power, c), width * math.copysign(abs(s) ** power, s), z))
         return loop
-    heights = [HANDLE_TOP + (HANDLE_END - HANDLE_TOP) * (k / 32) for k in range(33)]
+    heights = [HANDLE_TOP + (HANDLE_END - HANDLE_TOP) * (k / 9) for k in range(10)]
     rings = [ring(z) for z in heights]
     # The inlay takes the columns round the middle of each face; the rest is wood.
     count = len(rings[0])
@@ -552,8 +552,8 @@ def paddle():
         strip = [[r[k % count] for k in range(columns[0], columns[-1] + 2)][::-1] for r in rings[::-1]]
         strip = [row[::-1] for row in strip]
         mesh.loft(kind, strip, lambda p: (p[1] * 9.0 + p[0] * 9.0, p[2] * 6.0), closed=False)
-    mesh.fan(grip, rings[-1], (0, 0, -1), lambda p: (p[0] * 12, p[1] * 12), steps=2)
-    mesh.fan(grip, rings[0], (0, 0, 1), lambda p: (p[0] * 12, p[1] * 12), steps=2)
+    mesh.fan(grip, rings[-1], (0, 0, -1), lambda p: (p[0] * 12, p[1] * 12), steps=1)
+    mesh.fan(grip, rings[0], (0, 0, 1), lambda p: (p[0] * 12, p[1] * 12), steps=1)
     return mesh
 
 

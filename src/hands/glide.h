@@ -8,9 +8,9 @@ namespace ping_pong
 /// How a held key moves things.
 struct GlideParams
 {
-  double acceleration = 15.0;          ///< of a paddle while a key is held [m/s^2]
-  double angular_acceleration = 30.0;  ///< likewise [rad/s^2]
-  double damping = 7.0;                ///< dv/dt = a - damping v: top speed is a / damping [1/s]
+  double acceleration = 30.0;          ///< of a paddle while a key is held [m/s^2]
+  double angular_acceleration = 60.0;  ///< likewise [rad/s^2]
+  double damping = 14.0;               ///< dv/dt = a - damping v: top speed is a / damping [1/s]
   double speed = 0.6;                  ///< of everything else while a key is held [m/s]
   double angular_speed = 0.9;          ///< likewise [rad/s]
 };

@@ -2,6 +2,8 @@
 
 #include <ros/this_node.h>
 
+#include <algorithm>
+
 #include "selection.h"
 
 namespace ping_pong_sim
@@ -35,6 +37,16 @@ ros::NodeHandle onQueue(ros::CallbackQueue& queue)
   return nh;
 }
 
+bool movesIn(const PaddleStates& states, const std::string& paddle)
+{
+  const auto moves = [&](const PaddleState& state)
+  {
+    return state.name == paddle &&
+           !(fromMessage(state.twist.linear).isZero(0.0) && fromMessage(state.twist.angular).isZero(0.0));
+  };
+  return std::any_of(states.paddles.begin(), states.paddles.end(), moves);
+}
+
 bool same(const HandsState& a, const HandsState& b)
 {
   return a.selected == b.selected && a.moving == b.moving && a.help == b.help && a.note == b.note;
@@ -42,20 +54,17 @@ bool same(const HandsState& a, const HandsState& b)
 }  // namespace
 
 Operator::Operator(const std::string& simulator, std::shared_ptr<tf2_ros::Buffer> frames,
-                   const ping_pong::HoldLimits& limits, Tell tell)
+                   const ping_pong::HoldLimits& limits, Listener listener)
     : nh_(onQueue(queue_)),
       link_(nh_, simulator, std::move(frames)),
       paddle_(nh_),
       held_(limits),
-      tell_(std::move(tell))
+      listener_(std::move(listener))
 {
   state_.operator_name = ros::this_node::getName();
   hands_ = nh_.advertise<HandsState>("hands", 10);
   others_ = nh_.subscribe("hands", 10, &Operator::onOther, this);
-  const boost::function<void(const PaddleStates::ConstPtr&)> follow = [this](const PaddleStates::ConstPtr& states)
-  { paddle_.follow(*states); };
-  paddles_ =
-      nh_.subscribe<PaddleStates>("paddles", 10, follow, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  paddles_ = nh_.subscribe("paddles", 10, &Operator::onPaddles, this, ros::TransportHints().tcpNoDelay());
   thread_ = std::thread([this] { run(); });
 }
 
@@ -200,9 +209,18 @@ Eigen::Matrix3d Operator::axes() const
   return params_.world_axes ? Eigen::Matrix3d::Identity() : axes_;
 }
 
+void Operator::onPaddles(const PaddleStates::ConstPtr& states)
+{
+  paddle_.follow(*states);
+  if (!awaits_paddle_ || !movesIn(*states, state_.selected)) return;
+  awaits_paddle_ = false;
+  if (listener_.paddle_obeys) listener_.paddle_obeys();
+}
+
 void Operator::wishChanged()
 {
-  paddle_.wish(gliding() ? held_.wish() : ping_pong::Wish(), axes(), params_.glide);
+  const ping_pong::Wish wish = gliding() ? held_.wish() : ping_pong::Wish();
+  if (paddle_.wish(wish, axes(), params_.glide)) awaits_paddle_ = true;
 }
 
 void Operator::moveSteadily(double now)
@@ -236,6 +254,6 @@ void Operator::publish(bool always)
   told_ = state_;
   told_at_ = wallSeconds();
   hands_.publish(state_);
-  if (changed && tell_) tell_(state_);
+  if (changed && listener_.changed) listener_.changed(state_);
 }
 }  // namespace ping_pong_sim

@@ -27,11 +27,15 @@ struct OperatorParams
 class Operator
 {
 public:
-  using Tell = std::function<void(const HandsState&)>;
+  /// Both are called in the operator's thread, and may be empty.
+  struct Listener
+  {
+    std::function<void(const HandsState&)> changed;  ///< what `hands` says
+    std::function<void()> paddle_obeys;              ///< the first motion after a key was pressed or let go
+  };
 
-  /// @param tell  called in the operator's thread when its state changes; may be empty
   Operator(const std::string& simulator, std::shared_ptr<tf2_ros::Buffer> frames, const ping_pong::HoldLimits& limits,
-           Tell tell = {});
+           Listener listener = {});
   ~Operator();
 
   // --- Any thread ---
@@ -50,6 +54,7 @@ private:
   void obey(const ping_pong::KeyEntry& entry);
   void select(ping_pong::Group group);
   void wishChanged();
+  void onPaddles(const PaddleStates::ConstPtr& states);
   void moveSteadily(double now);
   void note(const std::string& text);
   void onOther(const HandsState::ConstPtr& other);
@@ -65,11 +70,12 @@ private:
   ping_pong::HeldKeys held_;
   OperatorParams params_;
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();  ///< the viewer's
-  Tell tell_;
+  Listener listener_;
   HandsState state_;
   HandsState told_;
   double told_at_ = 0.0;     ///< wallSeconds()
   double note_until_ = 0.0;  ///< wallSeconds()
+  bool awaits_paddle_ = false;  ///< keys changed and no state has shown it yet
   bool troubled_ = false;    ///< the simulator was away in the last tick
   ros::Publisher hands_;
   ros::Subscriber others_;

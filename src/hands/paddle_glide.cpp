@@ -20,15 +20,17 @@ void PaddleGlide::take(const std::string& paddle)
   command_ = paddle.empty() ? ros::Publisher() : nh_.advertise<PaddleCommand>(paddle + "/command", 1);
 }
 
-void PaddleGlide::wish(const ping_pong::Wish& wish, const Eigen::Matrix3d& axes, const ping_pong::GlideParams& params)
+bool PaddleGlide::wish(const ping_pong::Wish& wish, const Eigen::Matrix3d& axes, const ping_pong::GlideParams& params)
 {
+  const bool other = wish.move != wish_.move || wish.turn != wish_.turn;
   const bool started = !wish.isZero() && !sent_;
   wish_ = wish;
   axes_ = axes;
   params_ = params;
-  if (!started || paddle_.empty() || tick_ <= 0.0) return;
+  if (!started || paddle_.empty() || tick_ <= 0.0) return other;
   drive(tick_);
   driven_to_ += tick_;
+  return other;
 }
 
 void PaddleGlide::follow(const PaddleStates& states)

@@ -20,7 +20,8 @@ public:
   void take(const std::string& paddle);
   /// When the wish changes: acts at once, ahead of the next state.
   /// @param axes  viewer's axes in the world
-  void wish(const ping_pong::Wish& wish, const Eigen::Matrix3d& axes, const ping_pong::GlideParams& params);
+  /// @return      whether it is another wish than before
+  bool wish(const ping_pong::Wish& wish, const Eigen::Matrix3d& axes, const ping_pong::GlideParams& params);
   /// With every state. It counts simulated time, so that slow motion is the same motion, only slower.
   void follow(const PaddleStates& states);
 

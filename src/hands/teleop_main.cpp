@@ -48,7 +48,7 @@ void run()
 
   const auto frames = std::make_shared<tf2_ros::Buffer>();
   tf2_ros::TransformListener listener(*frames);
-  Operator hands(simulator, frames, ping_pong::terminalHold(), show);
+  Operator hands(simulator, frames, ping_pong::terminalHold(), {show, {}});
   hands.setParams(params);
   ping_pong::Terminal terminal;
   std::printf("H shows the keys, Ctrl-C ends. You stand behind the -x end of the table.\n");

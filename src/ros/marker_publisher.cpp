@@ -9,6 +9,7 @@ namespace ping_pong_sim
 namespace
 {
 constexpr double kSpheresPerSecond = 300000.0;  // of wall time
+constexpr double kBodiesRate = 0.5;             // of `body_markers`, per wall second [1/s]
 
 std::vector<ping_pong::BallId> ballIds(const ping_pong::World& world)
 {
@@ -23,6 +24,7 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& nh, double rate, const std::st
     : nh_(nh),
       simulation_(simulation),
       gate_(rate),
+      bodies_gate_(kBodiesRate),
       blobs_(blobs),
       bodies_(nh.advertise<visualization_msgs::MarkerArray>("body_markers", 10, true)),
       markers_(nh, "markers", 10, jobs,
@@ -46,6 +48,7 @@ void MarkerPublisher::update(WallClock::time_point now)
   // RViz keeps up with so many spheres; a larger crowd is shown less often.
   const double busy = static_cast<double>(simulation_.world().ballCount()) / kSpheresPerSecond;
   if (gate_.open(now, busy)) publish();
+  repeatBodies(now);
 }
 
 void MarkerPublisher::publish()
@@ -58,12 +61,18 @@ void MarkerPublisher::publish()
 
 void MarkerPublisher::publishBodies()
 {
-  visualization_msgs::MarkerArray message;
-  message.markers.push_back(deleteAllMarkers());
   const ping_pong::World& world = simulation_.world();
-  for (std::size_t i = 0; i < world.bodyCount(); ++i) appendBody(world.body(i), message.markers);
+  body_pictures_.markers.clear();
+  for (std::size_t i = 0; i < world.bodyCount(); ++i) appendBody(world.body(i), body_pictures_.markers);
+  visualization_msgs::MarkerArray message = body_pictures_;
+  message.markers.insert(message.markers.begin(), deleteAllMarkers());
   bodies_.publish(message);
   setDescriptions();
+}
+
+void MarkerPublisher::repeatBodies(WallClock::time_point now)
+{
+  if (bodies_gate_.open(now)) bodies_.publish(body_pictures_);
 }
 
 void MarkerPublisher::forgetPast()

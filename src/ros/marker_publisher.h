@@ -33,6 +33,8 @@ public:
   void publish();
   /// After the scene changed: `body_markers`, and the URDF texts as parameters NAME_description.
   void publishBodies();
+  /// Says `body_markers` again now and then: RViz forgets them when time jumps back, as after a restart of this node.
+  void repeatBodies(WallClock::time_point now);
   /// After a jump of everything.
   void forgetPast();
   /// After a jump of one ball.
@@ -45,12 +47,14 @@ private:
   ros::NodeHandle nh_;
   const Simulation& simulation_;
   RateGate gate_;
+  RateGate bodies_gate_;
   std::string blobs_;
   Trails trails_;
   ContactFlashes flashes_;
   std::vector<ping_pong::BallId> shown_;  ///< balls that subscribers know; another set makes them begin anew
   ros::Time last_stamp_;
   std::vector<std::string> descriptions_;
+  visualization_msgs::MarkerArray body_pictures_;
   ros::Publisher bodies_;
   StateTopic<visualization_msgs::MarkerArray> markers_;
 };

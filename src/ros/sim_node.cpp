@@ -86,6 +86,7 @@ void SimNode::runPaused()
 {
   jobs_.serveUntil(WallClock::now() + kIdlePeriod);
   status_.update(WallClock::now());
+  markers_.repeatBodies(WallClock::now());
 }
 
 void SimNode::runTick()

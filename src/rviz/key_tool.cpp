@@ -74,8 +74,10 @@ void KeyTool::onInitialize()
 {
   setName("Keys");
   setDescription("1-9 select, WASDQE move, RTFGVB turn, H shows all keys.");
+  // A frame of its own for the first motion, not only when RViz' timer comes round.
+  const auto draw = [this] { QMetaObject::invokeMethod(context_, "onUpdate", Qt::QueuedConnection); };
   operator_ = std::make_unique<Operator>("ping_pong_sim", context_->getFrameManager()->getTF2BufferPtr(),
-                                         ping_pong::windowHold());
+                                         ping_pong::windowHold(), Operator::Listener{{}, draw});
   updateParams();
   rviz::InteractionTool::onInitialize();  // calls deactivate()
 }

@@ -64,7 +64,7 @@ LightDisplay::LightDisplay()
   outer_ = number("Outer Angle", 75.0f, 175.0f, "Spot: no light outside this cone [degrees].");
   bulb_shown_ = flag("Show Bulb", true, "Shows where the light is.");
   headlight_off_ = flag("Replace Headlight", true, "RViz's own light at the viewer is off while this one is on.");
-  casts_ = flag("Cast Shadows", false, "Shadows cost about half of the frame rate without a GPU.");
+  casts_ = flag("Cast Shadows", false, "Shadows cost about a quarter of the frame rate without a GPU.");
   shade_ = number("Shade", 0.45f, 1.0f, "How much light stays in a shadow.");
   silent_ = new rviz::StringProperty("No Shadow From", "table_frame",
                                      "Parts of mesh names: what would throw a shadow on the surface above it.", this,

@@ -51,12 +51,36 @@ bool containsAny(const std::string& text, const std::vector<std::string>& parts)
                      [&](const std::string& part) { return text.find(part) != std::string::npos; });
 }
 
-void setReceives(Ogre::Entity& entity, bool receives)
+unsigned short shadowUnits(const Ogre::Pass& pass)
+{
+  unsigned short count = 0;
+  for (const Ogre::TextureUnitState* unit : pass.getTextureUnitStates())
+    count += unit->getContentType() == Ogre::TextureUnitState::CONTENT_SHADOW ? 1 : 0;
+  return count;
+}
+
+void addShadowUnit(Ogre::Pass& pass)
+{
+  Ogre::TextureUnitState* unit = pass.createTextureUnitState();
+  unit->setContentType(Ogre::TextureUnitState::CONTENT_SHADOW);
+  unit->setColourOperation(Ogre::LBO_MODULATE);
+  // No shadow beyond the picture of what casts them.
+  unit->setTextureAddressingMode(Ogre::TextureUnitState::TAM_BORDER);
+  unit->setTextureBorderColour(Ogre::ColourValue::White);
+  unit->setTextureFiltering(Ogre::FO_LINEAR, Ogre::FO_LINEAR, Ogre::FO_NONE);
+}
+
+/// A shadow is one more texture of the surface that takes it: drawing the surface again for it costs three times as much.
+void takeShadows(Ogre::Entity& entity, std::size_t lights)
 {
   for (std::size_t i = 0; i < entity.getNumSubEntities(); ++i)
   {
     const Ogre::MaterialPtr material = entity.getSubEntity(i)->getMaterial();
-    if (material && material->getReceiveShadows() != receives) material->setReceiveShadows(receives);
+    if (!material || material->getNumTechniques() == 0) continue;
+    Ogre::Pass& pass = *material->getTechnique(0)->getPass(0);
+    for (std::size_t has = shadowUnits(pass); has < lights; ++has) addShadowUnit(pass);
+    for (std::size_t has = shadowUnits(pass); has > lights; --has)  // ours are the last ones
+      pass.removeTextureUnitState(static_cast<unsigned short>(pass.getNumTextureUnitStates() - 1));
   }
 }
 }  // namespace
@@ -133,13 +157,13 @@ void ShadowRig::setRoles(const std::vector<std::string>& receivers, const std::v
 
 void ShadowRig::update()
 {
+  assignRoles();
   if (casting_.empty())
   {
     scene_->setShadowTechnique(Ogre::SHADOWTYPE_NONE);
     return;
   }
-  assignRoles();
-  scene_->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE);
+  scene_->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE_INTEGRATED);
   scene_->setShadowTextureSelfShadow(false);
   scene_->setShadowTextureCount(casting_.size());
   scene_->setShadowTextureSize(kTextureSize);  // after the count: new textures are small
@@ -159,7 +183,7 @@ void ShadowRig::assignRoles()
     // Cones are arrowheads: handles, the lights' own bulbs.
     const bool casts = !silent && !receives && !isClear(entity) && mesh.find("rviz_cone") == std::string::npos;
     if (entity.getCastShadows() != casts) entity.setCastShadows(casts);
-    setReceives(entity, receives && !isClear(entity));
+    takeShadows(entity, receives && !isClear(entity) ? casting_.size() : 0);
   }
   for (const char* type : {"ManualObject", "BillboardChain", "BillboardSet"})
   {

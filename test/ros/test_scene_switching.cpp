@@ -47,9 +47,12 @@ TEST_F(SceneSwitching, ByNameBringsTheNewWorld)
   ASSERT_TRUE(response.success) << response.message;
   EXPECT_TRUE(waitForScene("bounce"));
   EXPECT_TRUE(balls.waitFor([](const BallStates& b) { return b.balls.size() == 1; }));
-  ASSERT_TRUE(bodies.waitForCount(1));
-  EXPECT_EQ(bodies.last().markers.front().action, visualization_msgs::Marker::DELETEALL);
-  EXPECT_EQ(bodies.last().markers.size(), 1u + 3u);
+  // What was there goes first, and nothing but the new bodies follows.
+  EXPECT_TRUE(bodies.waitFor(
+      [](const visualization_msgs::MarkerArray& array)
+      {
+        return array.markers.front().action == visualization_msgs::Marker::DELETEALL && array.markers.size() == 1 + 3;
+      }));
   EXPECT_TRUE(nh_.hasParam("table_description"));
   EXPECT_FALSE(nh_.hasParam("paddle_description"));
 }
