@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Writes docs/crowd_cost.md and its chart from the CSV files of the program `crowd`: crowd.csv and, if there is one, tray.csv.
 
-usage: plot_crowd.py RESULTS DOCS
+usage: plot_crowd.py [--tray] RESULTS DOCS
+  --tray  only the section about the tray; the rest of the page stays as it is
 """
 import csv
 import os
+import re
 import sys
 
 import matplotlib
@@ -278,10 +280,25 @@ machine at the start: {about.get("load", "?")}; anything but 0 makes times longe
         file.write(text)
 
 
+def put_tray(section, docs):
+    path = os.path.join(docs, "crowd_cost.md")
+    with open(path, encoding="utf-8") as file:
+        page = file.read()
+    page = re.sub(r"## A tray is filled.*?\nCommit [^\n]*\n\n", "", page, flags=re.DOTALL)
+    wide = "A ball is 40 mm wide.\n\n"
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(page.replace(wide, wide + section))
+
+
 def main():
-    if len(sys.argv) != 3:
+    only_tray = "--tray" in sys.argv
+    arguments = [a for a in sys.argv[1:] if a != "--tray"]
+    if len(arguments) != 2:
         sys.exit(__doc__)
-    results, docs = sys.argv[1:]
+    results, docs = arguments
+    if only_tray:
+        put_tray(tray_section(*read(os.path.join(results, "tray.csv"))), docs)
+        return
     about, rows = read(os.path.join(results, "crowd.csv"))
     alone = os.path.join(results, "tray.csv")
     tray = read(alone) if os.path.exists(alone) else (about, rows)
