@@ -27,6 +27,7 @@ def read(path):
     about = dict(line[2:].strip().split(": ", 1) for line in lines if line.startswith("#"))
     rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     for row in rows:
+        row.setdefault("threads", "1")  # older files have no such column
         for key, value in row.items():
             if key not in ("scene", "engine", "variant", "hash"):
                 row[key] = float(value)
