@@ -12,6 +12,7 @@ constexpr std::size_t kPairs = 8;    // room for so many links of balls a ball f
 constexpr std::size_t kTouches = 4;  // so many in touch,
 constexpr std::size_t kBodies = 2;   // so many with bodies,
 constexpr std::size_t kMore = 64;    // and these for few balls among much furniture
+constexpr std::size_t kKinds = 8;    // of balls
 
 bool same(const BallParams& a, const BallParams& b)
 {
@@ -92,6 +93,7 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   pile.anchor.reserve(balls);
   pile.still.reserve(balls);
   pile.untouched.reserve(balls);
+  pile.kinds.reserve(kKinds);
   pile.pairs.reserve(kPairs * balls);
   pile.active_pairs.reserve(kPairs * balls);
   for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving}) links->reserve(kBodies * balls + kMore);

@@ -143,8 +143,9 @@ void World::Impl::makeSpace()
   space_for = space_for == 0 ? balls.size() : std::max(balls.size(), 2 * space_for);
   contacts.reserve(kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
   origins.reserve(contacts.capacity());
-  if (eventByEvent(scene.method) && balls.size() > 1) islands.reserve(space_for, workers.count());
-  if (scene.method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
+  const bool may_pile_up = eventByEvent(scene.method) && balls.size() > 1;
+  if (may_pile_up) islands.reserve(space_for, workers.count());
+  if (may_pile_up || scene.method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
 }
 
 void World::Impl::planAll()
