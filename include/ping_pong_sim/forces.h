@@ -96,7 +96,7 @@ public:
 private:
   double rimSpeed(const Vector3d& w_WB) const;
   template <int N>
-  Column<N> dragFactors(const Column<N>& speed, const Column<N>& rim) const;
+  Column<N> dragFactors(const Column<N>& speed, const Column<N>& speed2, const Column<N>& rim) const;
   template <int N>
   Column<N> liftFactors(const Column<N>& speed, const Column<N>& rim) const;
 

@@ -61,6 +61,5 @@ struct CoarseBox
       high[i] = std::max(high[i], other.high[i]);
     }
   }
-  float edge() const { return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
 };
 }  // namespace ping_pong

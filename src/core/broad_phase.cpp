@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "count.h"
+#include "take_memory.h"
 
 namespace ping_pong
 {
@@ -11,7 +12,7 @@ namespace
 {
 constexpr double kCellsPerBox = 4.0;  // cells of the grid for each box, at most
 constexpr double kSpread = 3.0;     // the grid covers so many standard deviations; boxes outside are in its outer cells
-constexpr double kLongEdges = 4.0;  // longer than the mean edge by so many standard deviations: in no cell
+constexpr double kLongEdges = 4.0;  // longer than the mean along an axis by so many standard deviations: in no cell
 constexpr double kShare = 0.99;     // of a cell, that a box in it is long: rounding puts nobody two cells away
 constexpr std::size_t kGrain = 512;  // boxes that a worker takes at a time
 }  // namespace
@@ -19,19 +20,18 @@ constexpr std::size_t kGrain = 512;  // boxes that a worker takes at a time
 // What the cells are made for. Sums of workers are added in any order: cells may differ by rounding, pairs do not.
 struct BroadPhase::Sums
 {
-  double n = 0.0, edge = 0.0, edge_squared = 0.0;
-  std::array<double, 3> low{}, low_squared{};
+  double n = 0.0;
+  std::array<double, 3> edge{}, edge_squared{}, low{}, low_squared{};
   std::array<float, 3> least{1e30f, 1e30f, 1e30f}, greatest{-1e30f, -1e30f, -1e30f};
 
   void add(const CoarseBox& box)
   {
-    const double e = box.edge();
     n += 1.0;
-    edge += e;
-    edge_squared += e * e;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const double x = box.low[i];
+      const double x = box.low[i], e = box.high[i] - box.low[i];
+      edge[i] += e;
+      edge_squared[i] += e * e;
       low[i] += x;
       low_squared[i] += x * x;
       least[i] = std::min(least[i], box.low[i]);
@@ -41,10 +41,10 @@ struct BroadPhase::Sums
   void add(const Sums& other)
   {
     n += other.n;
-    edge += other.edge;
-    edge_squared += other.edge_squared;
     for (std::size_t i = 0; i < 3; ++i)
     {
+      edge[i] += other.edge[i];
+      edge_squared[i] += other.edge_squared[i];
       low[i] += other.low[i];
       low_squared[i] += other.low_squared[i];
       least[i] = std::min(least[i], other.least[i]);
@@ -64,12 +64,12 @@ double deviation(double sum, double sum_of_squares, double n)
 
 void BroadPhase::reserve(std::size_t boxes)
 {
-  start_.reserve(static_cast<std::size_t>(4.0 * kCellsPerBox) * boxes + 64);  // with empty ones around the grid
-  corners_.reserve(boxes);
-  entries_.reserve(boxes);
-  added_start_.reserve(start_.capacity());
-  added_.reserve(16 * boxes);
-  added_large_.reserve(boxes);
+  takeMemory(start_, static_cast<std::size_t>(4.0 * kCellsPerBox) * boxes + 64);  // with empty ones around the grid
+  takeMemory(corners_, boxes);
+  takeMemory(entries_, boxes);
+  takeMemory(added_start_, start_.capacity());
+  takeMemory(added_, 16 * boxes);
+  takeMemory(added_large_, boxes);
 }
 
 void BroadPhase::layOut(const std::vector<CoarseBox>& boxes, Workers& workers)
@@ -86,29 +86,41 @@ void BroadPhase::layOut(const std::vector<CoarseBox>& boxes, Workers& workers)
                  sums.add(part);
                });
   const double n = std::max(sums.n, 1.0);
-  longest_ = static_cast<float>(sums.edge / n + kLongEdges * deviation(sums.edge, sums.edge_squared, n)) + 1e-9f;
-  std::array<double, 3> width{};
+  std::array<double, 3> width{}, size{};
   for (std::size_t i = 0; i < 3; ++i)
   {
+    longest_[i] =
+        static_cast<float>(sums.edge[i] / n + kLongEdges * deviation(sums.edge[i], sums.edge_squared[i], n)) + 1e-9f;
+    size[i] = longest_[i] / kShare;
     const double mean = sums.low[i] / n, spread = kSpread * deviation(sums.low[i], sums.low_squared[i], n);
     origin_[i] = sums.n > 0.0 ? std::max<double>(sums.least[i], mean - spread) : 0.0;
     width[i] = sums.n > 0.0 ? std::max(std::min<double>(sums.greatest[i], mean + spread) - origin_[i], 0.0) : 0.0;
   }
   // Fewer and larger cells, until there are not many more than boxes, and the corners of all have a number.
   const double most_cells = static_cast<double>(kFieldMask) / kUnits - 2.0;
-  double size = longest_ / kShare;
-  for (;; size *= 1.25)
+  for (;; size = {1.25 * size[0], 1.25 * size[1], 1.25 * size[2]})
   {
-    double cells = 1.0;
-    for (const double w : width) cells *= std::floor(w / size) + 1.0;
-    if (cells <= kCellsPerBox * n + 1.0 && *std::max_element(width.begin(), width.end()) < most_cells * size) break;
+    double cells = 1.0, longest_row = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      cells *= std::floor(width[i] / size[i]) + 1.0;
+      longest_row = std::max(longest_row, width[i] / size[i]);
+    }
+    if (cells <= kCellsPerBox * n + 1.0 && longest_row < most_cells) break;
   }
-  units_per_metre_ = kUnits / size;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    count_[i] = static_cast<int>(width[i] / size) + 1;
+    units_per_metre_[i] = kUnits / size[i];
+    count_[i] = static_cast<int>(width[i] / size[i]) + 1;
     last_[i] = kUnits * count_[i] - 1;
   }
+}
+
+bool BroadPhase::fits(const CoarseBox& box) const
+{
+  bool all = true;
+  for (std::size_t i = 0; i < 3; ++i) all &= box.high[i] - box.low[i] <= longest_[i];
+  return all;
 }
 
 // Rounded down, high corners too: what overlaps still does.
@@ -118,7 +130,7 @@ BroadPhase::Corner BroadPhase::cornerAt(const float* p) const
   for (int i = 0; i < 3; ++i)
   {
     const auto axis = static_cast<std::size_t>(i);
-    const double units = (p[i] - origin_[axis]) * units_per_metre_;
+    const double units = (p[i] - origin_[axis]) * units_per_metre_[axis];
     corner |= static_cast<Corner>(static_cast<std::int32_t>(std::clamp(units, 0.0, last_[axis]))) << (kField * i);
   }
   return corner;
@@ -150,7 +162,7 @@ void BroadPhase::fill(const std::vector<CoarseBox>& boxes, Workers& workers)
                  for (std::size_t i = begin; i < end; ++i)
                    if (boxes[i].empty())
                      corners_[i] = {kEmpty, kEmpty};
-                   else if (boxes[i].edge() > longest_)
+                   else if (!fits(boxes[i]))
                      corners_[i] = {kLarge, kLarge};
                    else
                      corners_[i] = {cornerAt(boxes[i].low), cornerAt(boxes[i].high)};

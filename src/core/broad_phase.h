@@ -1,6 +1,7 @@
-// Which boxes overlap: a uniform grid, made for many small balls of about one size. Each box is in the cell of its
-// lower corner and no longer than a cell, so that it overlaps boxes of that cell and its neighbours only. The few that
-// are longer are in no cell, and look at all cells in their way.
+// Which boxes overlap: a uniform grid, made for many small balls of about one size. Its cells are as high and as wide as
+// the boxes, which falling makes high. Each box is in the cell of its lower corner and no longer than a cell, so that it
+// overlaps boxes of that cell and its neighbours only. The few that are longer are in no cell, and look at all cells in
+// their way.
 #pragma once
 
 #include <array>
@@ -76,6 +77,7 @@ private:
 
   void layOut(const std::vector<CoarseBox>& boxes, Workers& workers);
   void fill(const std::vector<CoarseBox>& boxes, Workers& workers);
+  bool fits(const CoarseBox& box) const;  ///< in a cell
   Corner cornerAt(const float* p) const;
   Range cellsOf(Corner low, Corner high, int cells_before) const;
   // Around the grid is a layer of empty cells.
@@ -96,8 +98,8 @@ private:
   void eachInCells(Corner low, Corner high, const Action& action) const;
 
   std::array<double, 3> origin_{};
-  double units_per_metre_ = 1.0;
-  float longest_ = 0.0f;  ///< edge of a box in a cell [m]
+  std::array<double, 3> units_per_metre_{1.0, 1.0, 1.0};
+  std::array<float, 3> longest_{};  ///< edges of a box in a cell [m]
   std::array<int, 3> count_{1, 1, 1};
   std::array<double, 3> last_{};                ///< greatest coordinates, in units
   std::size_t large_ = 0;                       ///< boxes in no cell: the last of entries_

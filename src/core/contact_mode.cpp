@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "held_motion.h"
-#include "ping_pong_sim/fixed_flight.h"
+#include "fixed_flight.h"
 
 namespace ping_pong
 {

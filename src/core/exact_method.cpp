@@ -137,7 +137,7 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   countStreak(ball, t);
   if ((ball.crush > kHopelessCrush && body.moving) ||
       (ball.crush > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
-    return squeeze(ball, state, t);
+    return squeeze(*window.records, ball, state, t);
   const Surface law = lawOf(world, ball, body, shape);
   const BallState before = state;
   bounce(law, ball.params, state, u, gap.n_W);
@@ -331,9 +331,9 @@ void runExact(WorldState& world, double end)
     runIslands(world, end);
 }
 
-void squeeze(BallRecord& ball, BallState state, double t)
+void squeeze(Records& records, BallRecord& ball, BallState state, double t)
 {
-  ball.squeezed = true;
+  records.any_squeezed = ball.squeezed = true;
   ball.supports = Supports();
   ball.next = ball.next_moving = ball.next_ball = Event();
   ++ball.version;
@@ -343,13 +343,16 @@ void squeeze(BallRecord& ball, BallState state, double t)
 
 void releaseSqueezed(WorldState& world)
 {
+  if (!world.any_squeezed) return;
+  world.any_squeezed = false;
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
     BallRecord& ball = world.balls[i];
     if (!ball.squeezed) continue;
     const BallState state = ball.stateAt(world.time);
-    if (!hasRoom(world, state.p_WB, ball.params.radius, i)) continue;
-    ball.squeezed = false;
+    ball.squeezed = !hasRoom(world, state.p_WB, ball.params.radius, i);
+    world.any_squeezed |= ball.squeezed;
+    if (ball.squeezed) continue;
     planPath(world, ball, state, world.time, world.time);
     foresee(world, i, world.time);
   }

@@ -31,7 +31,7 @@ bool runTogether(WorldState& world, const Window& window);
 void runExact(WorldState& world, double end);
 
 /// The ball stays where it was last whole, collides with nothing, and is let go at rest when there is room again.
-void squeeze(BallRecord& ball, BallState state, double t);
+void squeeze(Records& records, BallRecord& ball, BallState state, double t);
 
 /// Frees balls that have room again.
 void releaseSqueezed(WorldState& world);

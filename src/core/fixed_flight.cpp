@@ -1,65 +1,26 @@
-#include "ping_pong_sim/fixed_flight.h"
+#include "fixed_flight.h"
 
-#include <cmath>
-
-#include "count.h"
 #include "ping_pong_sim/evolve.h"
 
 namespace ping_pong
 {
-namespace
+void stepRk4(Flight& ball, const FlightModel& model, double h)
 {
-Vector3d slowed(const Vector3d& w, const FlightModel& model, double h)
-{
-  if (model.spinDecay() == 0.0) return w;
-  count(Law::SpinDecay);
-  return std::exp(-model.spinDecay() * h) * w;
-}
-}  // namespace
-
-void stepExplicit(BallState& state, const FlightModel& model, double h)
-{
-  const Vector3d a = model.acceleration(state.v_WB, state.w_WB);
-  state.p_WB += h * state.v_WB;
-  state.v_WB += h * a;
-  state.w_WB = slowed(state.w_WB, model, h);
-}
-
-void stepSemiImplicit(BallState& state, const FlightModel& model, double h)
-{
-  state.v_WB += h * model.acceleration(state.v_WB, state.w_WB);
-  state.p_WB += h * state.v_WB;
-  state.w_WB = slowed(state.w_WB, model, h);
-}
-
-void stepVerlet(BallState& state, const FlightModel& model, double h)
-{
-  const Vector3d a = model.acceleration(state.v_WB, state.w_WB);
-  state.p_WB += h * (state.v_WB + 0.5 * h * a);
-  state.w_WB = slowed(state.w_WB, model, h);
-  if (model.constant())
-    state.v_WB += h * a;
-  else
-    state.v_WB += 0.5 * h * (a + model.acceleration(state.v_WB + h * a, state.w_WB));
-}
-
-void stepRk4(BallState& state, const FlightModel& model, double h)
-{
-  const Vector3d v = state.v_WB;
-  const Vector3d w_half = slowed(state.w_WB, model, 0.5 * h);
-  const Vector3d a1 = model.acceleration(v, state.w_WB);
-  state.w_WB = slowed(state.w_WB, model, h);
+  const Vector3d v = ball.v;
+  const Vector3d w_half = slowed(ball.w, model, 0.5 * h);
+  const Vector3d a1 = model.acceleration(v, ball.w);
+  ball.w = slowed(ball.w, model, h);
   if (model.constant())
   {
-    state.p_WB += h * (v + 0.5 * h * a1);
-    state.v_WB += h * a1;
+    ball.p += h * (v + 0.5 * h * a1);
+    ball.v += h * a1;
     return;
   }
   const Vector3d a2 = model.acceleration(v + 0.5 * h * a1, w_half);
   const Vector3d a3 = model.acceleration(v + 0.5 * h * a2, w_half);
-  const Vector3d a4 = model.acceleration(v + h * a3, state.w_WB);
-  state.p_WB += h * (v + h / 6.0 * (a1 + a2 + a3));
-  state.v_WB += h / 6.0 * (a1 + 2.0 * (a2 + a3) + a4);
+  const Vector3d a4 = model.acceleration(v + h * a3, ball.w);
+  ball.p += h * (v + h / 6.0 * (a1 + a2 + a3));
+  ball.v += h / 6.0 * (a1 + 2.0 * (a2 + a3) + a4);
 }
 
 Segment flyRk4(const BallState& state, double start, const FlightModel& model, double h)
@@ -69,10 +30,10 @@ Segment flyRk4(const BallState& state, double start, const FlightModel& model, d
   path.spin_decay = model.spinDecay();
   path.end = start + h;
   if (model.constant()) return path;
-  BallState end = state;
+  Flight end{state.p_WB, state.v_WB, state.w_WB};
   stepRk4(end, model, h);
-  const Vector3d p = end.p_WB - path.position(h);        // what the parabola misses: c3 h^3 + c4 h^4
-  const Vector3d v = h * (end.v_WB - path.velocity(h));  // 3 c3 h^3 + 4 c4 h^4
+  const Vector3d p = end.p - path.position(h);        // what the parabola misses: c3 h^3 + c4 h^4
+  const Vector3d v = h * (end.v - path.velocity(h));  // 3 c3 h^3 + 4 c4 h^4
   path.degree = 4;
   path.c[3] = (4.0 * p - v) / (h * h * h);
   path.c[4] = (v - 3.0 * p) / (h * h * h * h);

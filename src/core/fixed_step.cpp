@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "count.h"
+#include "fixed_flight.h"
 #include "ping_pong_sim/evolve.h"
-#include "ping_pong_sim/fixed_flight.h"
 #include "ping_pong_sim/resolve.h"
 
 namespace ping_pong
@@ -21,7 +21,7 @@ struct Instant
   double t, h;
 };
 
-using Step = void (*)(BallState&, const FlightModel&, double);
+using Step = void (*)(Flight&, const FlightModel&, double);
 
 void turnNow(Segment& path)
 {
@@ -78,18 +78,18 @@ void fly(WorldState& world, double h)
   for (BallRecord& ball : world.balls)
   {
     Segment& path = ball.path;
-    BallState state = stateOf(ball);
-    step(state, ball.model, h);
-    if (!std::isfinite(state.p_WB.sum() + state.v_WB.sum()))  // the ball keeps its last finite state
+    Flight after{path.c[0], path.c[1], path.w_WB};
+    step(after, ball.model, h);
+    if (!std::isfinite(after.p.sum() + after.v.sum()))  // the ball keeps its last finite state
     {
       world.status.not_finite = true;
       continue;
     }
-    path.c[0] = state.p_WB;
-    path.c[1] = state.v_WB;
+    path.c[0] = after.p;
+    path.c[1] = after.v;
     if (path.w_WB.isZero(0.0)) continue;
     path.turn_WB += turnIn(path.w_WB, ball.model.spinDecay(), h);
-    path.w_WB = state.w_WB;
+    path.w_WB = after.w;
     if (path.turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
   }
 }
@@ -110,6 +110,13 @@ void flyAll(WorldState& world, double h)
 }
 
 // --- detect and resolve ---
+
+// The same with a box along the axes of W: true for most shapes of a scene, and cheaper still.
+bool clearOf(const Box& box, const Vector3d& p_WB, double radius)
+{
+  const auto beyond = [&](int i) { return p_WB[i] - radius >= box.high[i] || p_WB[i] + radius <= box.low[i]; };
+  return beyond(2) || beyond(0) || beyond(1);
+}
 
 // The ball is clear of the box around the shape: true for nearly every step, and cheap. Place and shape in the body
 // frame.
@@ -152,28 +159,42 @@ void collideWithShape(WorldState& world, BallRecord& ball, std::size_t b, std::s
   close(*contact, ball);
 }
 
-void collideWithBody(WorldState& world, std::size_t b, const BodyFrame& frame, const Instant& now)
+void collideWithMoving(WorldState& world, std::size_t b, const BodyFrame& frame, const Instant& now)
 {
+  const std::vector<Shape>& shapes = world.bodies[b].body.shapes;
+  for (BallRecord& ball : world.balls)
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+    {
+      count(meeting(shapes[s].kind));
+      count(Law::MeetMoving);
+      const Vector3d p_BQ = frame.R_WB.transpose() * (ball.path.c[0] - frame.p_WB);
+      if (!clearOf(shapes[s], p_BQ, ball.params.radius)) collideWithShape(world, ball, b, s, frame, now);
+    }
+}
+
+void collideWithStill(WorldState& world, std::size_t b, const Instant& now)
+{
+  static const BodyFrame kStill;
   const BodyRecord& body = world.bodies[b];
   for (BallRecord& ball : world.balls)
-    for (std::size_t s = 0; s < body.shapes().size(); ++s)
+    for (std::size_t s = 0; s < body.placed.size(); ++s)
     {
-      count(meeting(body.shapes()[s].kind));
-      if (body.moving) count(Law::MeetMoving);
-      const Vector3d& p_WB = ball.path.c[0];
-      const Vector3d p_BQ = body.moving ? Vector3d(frame.R_WB.transpose() * (p_WB - frame.p_WB)) : p_WB;
-      if (!clearOf(body.shapes()[s], p_BQ, ball.params.radius)) collideWithShape(world, ball, b, s, frame, now);
+      count(meeting(body.placed[s].kind));
+      const double radius = ball.params.radius;
+      if (!clearOf(body.boxes[s], ball.path.c[0], radius) && !clearOf(body.placed[s], ball.path.c[0], radius))
+        collideWithShape(world, ball, b, s, kStill, now);
     }
 }
 
 void collideWithBodies(WorldState& world, const Instant& now)
 {
-  static const BodyFrame kStill;
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
   {
     const BodyMotion& motion = world.bodies[b].motion;
-    world.bodies[b].moving ? collideWithBody(world, b, frameAt(motion, now.t - motion.start), now)
-                           : collideWithBody(world, b, kStill, now);
+    if (world.bodies[b].moving)
+      collideWithMoving(world, b, frameAt(motion, now.t - motion.start), now);
+    else
+      collideWithStill(world, b, now);
   }
 }
 

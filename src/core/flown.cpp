@@ -49,6 +49,13 @@ bool asLittleIsKnown(const Piece& piece, const Segment& path)
   return !piece.parabola && !isParabola(path);
 }
 
+// Whoever comes near has to expect the ball until then.
+void forgetPath(Piece& piece, double until)
+{
+  piece.parabola = false;
+  piece.until = until;
+}
+
 // Paths that nothing has bent in this window are searched whatever they are.
 bool meetOnWholePaths(const BallRecord& a, const BallRecord& b, const Window& window)
 {
@@ -69,16 +76,17 @@ void noteFlown(WorldState& world, const Window& window, std::size_t i, double t)
   if (last != IslandRecords::kNoEntry)
   {
     Piece& before = work.pieces[IslandRecords::indexOf(last)];  // whoever runs a ball on has noted what it has flown
-    if (asLittleIsKnown(before, ball.path) || before.count == kMostPieces)
-    {
-      before.parabola = false;
-      before.until = t;
-      return;
-    }
+    if (asLittleIsKnown(before, ball.path) || before.count == kMostPieces) return forgetPath(before, t);
     count = static_cast<std::uint16_t>(before.count + 1);
   }
   islands.last_piece[i] = IslandRecords::entry(work, work.pieces.size());
   work.pieces.push_back({asParabola(ball.path), t, last, count, isParabola(ball.path)});
+}
+
+void noteSomewhere(WorldState& world, const Window& window, std::size_t i, const Box& box, double t)
+{
+  world.islands.swept[i].add(CoarseBox(box));
+  forgetPath(window.work->pieces[IslandRecords::indexOf(world.islands.last_piece[i])], t);
 }
 
 void forgetFlown(IslandRecords& islands, std::size_t i)

@@ -8,6 +8,10 @@ namespace ping_pong
 /// To be called before ball i leaves its path at time t.
 void noteFlown(WorldState& world, const Window& window, std::size_t i, double t);
 
+/// The same for several pieces of flight at once, of which no more is known than that they were in a box. One piece
+/// has been noted before.
+void noteSomewhere(WorldState& world, const Window& window, std::size_t i, const Box& box, double t);
+
 /// As if ball i had not flown in this window.
 void forgetFlown(IslandRecords& islands, std::size_t i);
 

@@ -101,16 +101,18 @@ FlightModel::FlightModel(const Forces& forces, const BallParams& ball) : forces_
 }
 
 // r w, or 0 where no law asks for the spin ratio.
-double FlightModel::rimSpeed(const Vector3d& w_WB) const
+EIGEN_STRONG_INLINE double FlightModel::rimSpeed(const Vector3d& w_WB) const
 {
   if (!spin_ratio_) return 0.0;
   count(Law::SpinRatio);
   return radius_ * w_WB.norm();
 }
 
-// k_D C_D |u| for speeds through the air and rim speeds r w [1/s]. Without air speed there is no drag.
+// k_D C_D |u| for speeds through the air, their squares and rim speeds r w [1/s]. Without air speed there is no drag. (The
+// quotient is of squares: it does not wait for the root.)
 template <int N>
-FlightModel::Column<N> FlightModel::dragFactors(const Column<N>& speed, const Column<N>& rim) const
+EIGEN_STRONG_INLINE FlightModel::Column<N> FlightModel::dragFactors(const Column<N>& speed, const Column<N>& speed2,
+                                                                    const Column<N>& rim) const
 {
   count(Law::Drag, N);
   const DragLaw& law = forces_->drag_law;
@@ -118,7 +120,7 @@ FlightModel::Column<N> FlightModel::dragFactors(const Column<N>& speed, const Co
   {
     if (law.with_spin == law.without_spin) return drag_ * law.without_spin * speed;
     const Column<N> rim2 = rim * rim;
-    const Column<N> way = rim2 / (rim2 + law.half_at * law.half_at * speed * speed + std::numeric_limits<double>::min());
+    const Column<N> way = rim2 / (rim2 + law.half_at * law.half_at * speed2 + std::numeric_limits<double>::min());
     return drag_ * (law.without_spin + (law.with_spin - law.without_spin) * way) * speed;
   }
   Column<N> factors;
@@ -132,7 +134,7 @@ FlightModel::Column<N> FlightModel::dragFactors(const Column<N>& speed, const Co
 
 // k_L C_L / S. Without air speed or spin there is no lift.
 template <int N>
-FlightModel::Column<N> FlightModel::liftFactors(const Column<N>& speed, const Column<N>& rim) const
+EIGEN_STRONG_INLINE FlightModel::Column<N> FlightModel::liftFactors(const Column<N>& speed, const Column<N>& rim) const
 {
   count(Law::Lift, N);
   const LiftLaw& law = forces_->lift_law;
@@ -152,12 +154,13 @@ FlightModel::Rows<N> FlightModel::accelerations(const Rows<N>& v_WB, const Vecto
   const Column<N> x = v_WB.col(0).array() - wind.x();
   const Column<N> y = v_WB.col(1).array() - wind.y();
   const Column<N> z = v_WB.col(2).array() - wind.z();
-  const Column<N> speed = (x * x + y * y + z * z).sqrt();
+  const Column<N> speed2 = x * x + y * y + z * z;
+  const Column<N> speed = speed2.sqrt();
   const Column<N> rim = rimSpeed(w_WB) * fade;
   Rows<N> a = gravity_.transpose().template replicate<N, 1>();
   if (forces_->drag)
   {
-    const Column<N> k = dragFactors<N>(speed, rim);
+    const Column<N> k = dragFactors<N>(speed, speed2, rim);
     a.col(0).array() -= k * x;
     a.col(1).array() -= k * y;
     a.col(2).array() -= k * z;
@@ -184,10 +187,11 @@ Vector3d FlightModel::acceleration(const Vector3d& v_WB, const Vector3d& w_WB) c
     return gravity_;
   }
   const Vector3d u = v_WB - forces_->wind;
-  const Column<1> speed(u.norm());
+  const Column<1> speed2(u.squaredNorm());
+  const Column<1> speed = speed2.sqrt();
   const Column<1> rim(rimSpeed(w_WB));
   Vector3d a = gravity_;
-  if (forces_->drag) a -= dragFactors<1>(speed, rim)[0] * u;
+  if (forces_->drag) a -= dragFactors<1>(speed, speed2, rim)[0] * u;
   if (forces_->magnus) a += liftFactors<1>(speed, rim)[0] * w_WB.cross(u);
   return a;
 }
@@ -217,7 +221,7 @@ double FlightModel::rate(const Vector3d& v_WB, const Vector3d& w_WB) const
   const Column<1> speed(u.norm() + 0.1 * gravity_.norm());  // it will be that fast soon
   const Column<1> rim(rimSpeed(w_WB));
   double rate = 1e-3;
-  if (forces_->drag) rate += 2.0 * dragFactors<1>(speed, rim)[0];
+  if (forces_->drag) rate += 2.0 * dragFactors<1>(speed, speed * speed, rim)[0];
   if (forces_->magnus) rate += liftFactors<1>(speed, rim)[0] * w_WB.norm();
   return rate;
 }

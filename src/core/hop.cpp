@@ -6,6 +6,7 @@
 #include "fall_on_plane.h"
 #include "flown.h"
 #include "foresight.h"
+#include "level_hops.h"
 #include "streak.h"
 
 namespace ping_pong
@@ -108,6 +109,13 @@ bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Groun
   return true;
 }
 
+// What hopOnLevel() takes for granted, besides what hop() does.
+bool level(const Ground& ground, const BallRecord& ball)
+{
+  return ground.only_shape && ground.n == Vector3d::UnitZ() && ground.a.x() == 0.0 && ground.a.y() == 0.0 &&
+         !slips(ground, ball.path.c[1]);
+}
+
 bool onTheSame(const Event& now, const Event& before)
 {
   return now.kind == before.kind && now.other == before.other && now.shape == before.shape;
@@ -122,11 +130,10 @@ bool hop(WorldState& world, const Window& window, std::size_t i)
   const Ground ground = groundOf(world, ball, first);
   const std::size_t most = window.count == 1 ? kHopsAtATime : 1;
   std::size_t hops = 0;
-  while (hopOnce(world, window, i, ground))
-  {
-    if (++hops > 1) ++window.records->status.events;
-    if (hops == most || !(ball.next.time <= window.end) || !onTheSame(ball.next, first)) break;
-  }
+  if (most > 1 && level(ground, ball))
+    hops = hopOnLevel(world, window, i, {ground.plane.p_BS.z(), ground.law, ground.a.z()}, most);
+  while (hops < most && ball.next.time <= window.end && onTheSame(ball.next, first) && hopOnce(world, window, i, ground)) ++hops;
+  if (hops > 1) window.records->status.events += hops - 1;  // one has been counted by the caller
   return hops > 0;
 }
 }  // namespace ping_pong

@@ -14,6 +14,7 @@ namespace
 // of pairs, by ball and window:
 constexpr double kManySearches = 2.0;     // halve the window
 constexpr double kFewSearches = 0.7;      // double it
+constexpr double kNobodyNear = 16.0;      // times longer, if no two boxes overlapped
 constexpr double kTooManySearches = 4.0;  // give up and begin again with a shorter window
 constexpr double kShortestWindow = 1e-4;  // [s]
 
@@ -35,12 +36,12 @@ void unite(IslandRecords& islands, std::uint32_t i, std::uint32_t k)
   std::swap(islands.next[a], islands.next[b]);
 }
 
-// A look at two boxes that overlap costs half of a search.
+// A look at two boxes that overlap costs an eighth of a search.
 double pairSearches(const IslandRecords& islands)
 {
-  std::size_t twice = 0;
-  for (const IslandWork& work : islands.work) twice += 8 * work.pair_searches + work.near_pairs;
-  return 0.125 * static_cast<double>(twice);
+  std::size_t eighths = 0;
+  for (const IslandWork& work : islands.work) eighths += 8 * work.pair_searches + work.near_pairs;
+  return 0.125 * static_cast<double>(eighths);
 }
 
 void save(WorldState& world, IslandWork& work, std::size_t i)
@@ -51,8 +52,17 @@ void save(WorldState& world, IslandWork& work, std::size_t i)
   work.saved.push_back(world.balls[i]);
 }
 
-void begin(IslandRecords& islands, std::size_t n, bool keep_contacts)
+// While a window runs the first worker writes to the world's own lists: where it is alone, no contact is copied.
+void lendContacts(WorldState& world)
 {
+  std::swap(world.contacts, world.islands.work.front().contacts);
+  std::swap(world.origins, world.islands.work.front().origins);
+}
+
+void begin(WorldState& world)
+{
+  IslandRecords& islands = world.islands;
+  const std::size_t n = world.balls.size();
   islands.runs = 0;
   islands.islands.clear();
   for (std::vector<std::uint32_t>* list : {&islands.saved_at, &islands.root, &islands.next, &islands.last_piece})
@@ -60,17 +70,19 @@ void begin(IslandRecords& islands, std::size_t n, bool keep_contacts)
   islands.swept.resize(n);
   for (IslandWork& work : islands.work)
   {
-    work.keep_contacts = keep_contacts;
+    work.keep_contacts = world.keep_contacts;
     work.contacts.clear();
     work.origins.clear();
     work.status = StepStatus();
     work.pair_searches = work.near_pairs = 0;
-    work.crowding = false;
+    work.crowding = work.any_squeezed = false;
     work.saved.clear();
     work.pieces.clear();
     work.met.clear();
     work.crowded.clear();
   }
+  islands.first_contact = world.origins.size();
+  lendContacts(world);
 }
 
 // --- each ball as if it were alone ---
@@ -229,6 +241,9 @@ void runIslandsOnce(WorldState& world, const Window& window)
 void undo(WorldState& world)
 {
   IslandRecords& islands = world.islands;
+  lendContacts(world);  // and back
+  world.origins.resize(islands.first_contact);
+  if (world.keep_contacts) world.contacts.resize(islands.first_contact);
   for (std::size_t i = 0; i < world.balls.size(); ++i)
     if (islands.saved_at[i] != IslandRecords::kNoEntry) world.balls[i] = islands.saved(islands.saved_at[i]);
 }
@@ -255,21 +270,52 @@ void sortContacts(WorldState& world, std::size_t first)
   }
 }
 
-// What balls have recorded before their island went back to the start has not happened. All contacts of a ball that
-// have are in the list of one worker, in their order: which one does not matter.
+// Not of an earlier run of its island: what balls have recorded before their island went back to the start has not
+// happened.
+bool happened(const WorldState& world, const ContactOrigin& origin)
+{
+  return origin.run == world.balls[origin.ball].run;
+}
+
+// Of the contacts from the first on, those that have happened.
+void dropVoid(WorldState& world, std::size_t first)
+{
+  std::size_t kept = first;
+  for (std::size_t c = first; c < world.origins.size(); ++c)
+  {
+    if (!happened(world, world.origins[c])) continue;
+    if (kept != c)
+    {
+      if (world.keep_contacts) world.contacts[kept] = world.contacts[c];
+      world.origins[kept] = world.origins[c];
+    }
+    ++kept;
+  }
+  world.origins.resize(kept);
+  if (world.keep_contacts) world.contacts.resize(kept);
+}
+
+// All contacts of a ball that have happened are in the list of one worker, in their order: which one does not matter.
 void takeContacts(WorldState& world)
 {
-  const std::size_t first = world.contacts.size();
-  for (const IslandWork& work : world.islands.work)
+  const std::size_t first = world.islands.first_contact;
+  lendContacts(world);  // and back
+  dropVoid(world, first);
+  for (std::size_t worker = 1; worker < world.islands.work.size(); ++worker)
+  {
+    IslandWork& work = world.islands.work[worker];
     for (std::size_t c = 0; c < work.origins.size(); ++c)
     {
-      if (work.origins[c].run != world.balls[work.origins[c].ball].run) continue;
-      ++world.status.contacts;
-      if (!world.keep_contacts) continue;
-      world.contacts.push_back(work.contacts[c]);
+      if (!happened(world, work.origins[c])) continue;
+      if (world.keep_contacts) world.contacts.push_back(work.contacts[c]);
       world.origins.push_back(work.origins[c]);
     }
-  sortContacts(world, first);
+  }
+  world.status.contacts += world.origins.size() - first;
+  if (world.keep_contacts)
+    sortContacts(world, first);
+  else
+    world.origins.resize(first);
 }
 
 // Whoever was crowded while the window was run passes; false if nobody was.
@@ -296,7 +342,7 @@ enum class Outcome
 Outcome runWindow(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
-  begin(islands, world.balls.size(), world.keep_contacts);
+  begin(world);
   world.workers.each(world.balls.size(), kBalls,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
@@ -337,6 +383,7 @@ void sumUp(WorldState& world)
     world.status.events += work.status.events;
     world.status.event_limit |= work.status.event_limit;
     world.crowding |= work.crowding;
+    world.any_squeezed |= work.any_squeezed;
   }
 }
 }  // namespace
@@ -367,7 +414,7 @@ void runIslands(WorldState& world, double end)
     if (outcome == Outcome::TooLong || searches > kManySearches)
       islands.length = std::max(0.5 * std::min(islands.length, window_end - start), kShortestWindow);
     else if (searches < kFewSearches && (whole || window_end - start >= islands.length))
-      islands.length *= searches == 0.0 ? 8.0 : 2.0;
+      islands.length *= searches == 0.0 ? kNobodyNear : 2.0;
     if (outcome == Outcome::TooLong) continue;
     movePile(world, start, window_end, end);
     if (!world.pile.ball.empty()) sortContacts(world, first_contact);

@@ -5,7 +5,7 @@
 #include "count.h"
 #include "pile.h"
 #include "ping_pong_sim/evolve.h"
-#include "ping_pong_sim/fixed_flight.h"
+#include "fixed_flight.h"
 #include "world_state.h"
 
 namespace ping_pong

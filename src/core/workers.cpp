@@ -27,6 +27,7 @@ void Workers::start(std::size_t count)
   if (count == this->count()) return;
   stop();
   stopping_ = false;
+  shares_ = std::vector<Share>(count);
   for (std::size_t worker = 1; worker < count; ++worker) threads_.emplace_back([this, worker] { live(worker); });
 }
 
@@ -67,7 +68,11 @@ void Workers::share(const Job& job)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     job_ = job;
-    next_ = 0;
+    for (std::size_t k = 0; k < shares_.size(); ++k)
+    {
+      shares_[k].next = k * job.size / shares_.size();
+      shares_[k].end = (k + 1) * job.size / shares_.size();
+    }
     open_ = true;
     ++jobs_;
   }
@@ -84,7 +89,11 @@ void Workers::share(const Job& job)
 
 void Workers::workOn(const Job& job, std::size_t worker)
 {
-  for (std::size_t begin = next_.fetch_add(job.grain); begin < job.size; begin = next_.fetch_add(job.grain))
-    job.call(job.action, begin, std::min(begin + job.grain, job.size), worker);
+  for (std::size_t k = 0; k < shares_.size(); ++k)
+  {
+    Share& share = shares_[(worker + k) % shares_.size()];
+    for (std::size_t begin = share.next.fetch_add(job.grain); begin < share.end; begin = share.next.fetch_add(job.grain))
+      job.call(job.action, begin, std::min(begin + job.grain, share.end), worker);
+  }
 }
 }  // namespace ping_pong

@@ -27,7 +27,8 @@ public:
   /// Calls action(begin, end, worker) for pieces of [0, size) that cover it once, and returns when all are done. Pieces
   /// have at most `grain` indices where there is more than one worker; else there is one piece. `worker` is below
   /// count(); two calls with the same one never overlap, and the caller is 0. An action neither throws nor calls
-  /// each().
+  /// each(). Each worker begins with a share of its own, the same for the same size: what a loop has left in the cache of
+  /// a core is there for the next one. Whoever is done helps others.
   template <class Action>
   void each(std::size_t size, std::size_t grain, const Action& action)
   {
@@ -61,6 +62,11 @@ private:
   bool stopping_ = false;
   std::atomic<std::size_t> jobs_{0};  // so far
   std::atomic<std::size_t> busy_{0};  // threads at work on job_
-  std::atomic<std::size_t> next_{0};  // first index of job_ that nobody has taken
+  struct alignas(64) Share
+  {
+    std::atomic<std::size_t> next{0};  // first index that nobody has taken
+    std::size_t end = 0;
+  };
+  std::vector<Share> shares_;           // of job_, by worker
 };
 }  // namespace ping_pong

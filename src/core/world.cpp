@@ -10,6 +10,7 @@
 #include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/drive.h"
 #include "placement.h"
+#include "take_memory.h"
 #include "world_state.h"
 
 namespace ping_pong
@@ -93,6 +94,7 @@ struct World::Impl : WorldState
   void planAll();
   void planBall(std::size_t index);
   void letGo(std::size_t body);
+  void countTroubles();
   void makeRoom();
   std::vector<char> ballsThatOverlap();
 };
@@ -141,8 +143,8 @@ void World::Impl::makeSpace()
   if (balls.size() <= space_for && space_for > 0) return;
   if (balls.size() > 1) workers.start(scene.threads);
   space_for = space_for == 0 ? balls.size() : std::max(balls.size(), 2 * space_for);
-  contacts.reserve(kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
-  origins.reserve(contacts.capacity());
+  takeMemory(contacts, kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
+  takeMemory(origins, contacts.capacity());
   const bool may_pile_up = eventByEvent(scene.method) && balls.size() > 1;
   if (may_pile_up) islands.reserve(space_for, workers.count());
   if (may_pile_up || scene.method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
@@ -250,7 +252,7 @@ void World::Impl::makeRoom()
     if (room)
       balls[i].path = flyParabola(state, time, Vector3d::Zero());
     else if (!piled)
-      squeeze(balls[i], state, time);
+      squeeze(*this, balls[i], state, time);
   }
 }
 
@@ -280,6 +282,17 @@ void World::Impl::letGo(std::size_t body)
   }
 }
 
+// Of those that cannot have any nobody is asked: thousands of records are a long way through memory.
+void World::Impl::countTroubles()
+{
+  if (!any_squeezed && scene.method != Method::Rk4Located) return;
+  for (const BallRecord& ball : balls)
+  {
+    status.squeezed += ball.squeezed;
+    status.not_finite |= ball.overflows;
+  }
+}
+
 World::World(const Scene& scene) : impl_(std::make_unique<Impl>())
 {
   impl_->loaded = scene;
@@ -306,11 +319,7 @@ StepStatus World::advance(double duration)
     releaseSqueezed(world);
   }
   world.status.piled = world.pile.ball.size();
-  for (const BallRecord& ball : world.balls)
-  {
-    world.status.squeezed += ball.squeezed;
-    world.status.not_finite |= ball.overflows;
-  }
+  world.countTroubles();
   return world.status;
 }
 

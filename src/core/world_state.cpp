@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "take_memory.h"
+
 namespace ping_pong
 {
 const BodyMotion BodyRecord::kWorldFrame;
@@ -15,27 +17,14 @@ double leastOn(double v, double a, double T)
   return std::min(0.0, (v + 0.5 * a * T) * T);
 }
 
-// Between its ends, or to where it turns round.
+// The chord, and as far beyond it as the parabola bulges: |a| T^2 / 8. Wider than need be where the ball does not turn round
+// in between, but without a root, a quotient or a branch.
 Box boxOfParabola(const Segment& path, double radius, double from, double to)
 {
   const double s = std::max(from - path.start, 0.0), e = std::max(to - path.start, s);
-  Vector3d lows, highs;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double c0 = path.c[0][i], c1 = path.c[1][i], c2 = path.c[2][i];
-    const double p = c0 + s * (c1 + s * c2), q = c0 + e * (c1 + e * c2);
-    double low = std::min(p, q), high = std::max(p, q);
-    const double v = c1 + 2.0 * s * c2;
-    if (v * (c1 + 2.0 * e * c2) < 0.0)
-    {
-      const double turn = p - 0.25 * v * v / c2;
-      low = std::min(low, turn);
-      high = std::max(high, turn);
-    }
-    lows[i] = low - radius;
-    highs[i] = high + radius;
-  }
-  return {lows, highs};
+  const Vector3d p = path.c[0] + s * (path.c[1] + s * path.c[2]), q = path.c[0] + e * (path.c[1] + e * path.c[2]);
+  const Vector3d bulge = (0.25 * (e - s) * (e - s)) * path.c[2];  // towards -a
+  return {(p.cwiseMin(q) - bulge.cwiseMax(0.0)).array() - radius, (p.cwiseMax(q) - bulge.cwiseMin(0.0)).array() + radius};
 }
 
 Box boxAround(const Shape& placed)
@@ -69,23 +58,24 @@ Box boxOf(const BallRecord& ball, double from, double to)
 void IslandRecords::reserve(std::size_t balls, std::size_t workers)
 {
   broad_phase.reserve(balls);
-  swept.reserve(balls);
-  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &last_piece}) list->reserve(balls);
+  takeMemory(swept, balls);
+  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &last_piece}) takeMemory(*list, balls);
   const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
-  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) list->reserve(meetings);
-  order.reserve(256 + 8 * balls);
+  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) takeMemory(*list, meetings);
+  takeMemory(order, 256 + 8 * balls);
   work.resize(workers);
   for (std::uint32_t worker = 0; worker < workers; ++worker)
   {
     IslandWork& its = work[worker];
     its.worker = worker;
     its.saved.reserve(balls);
-    its.members.reserve(balls);
-    its.crowded.reserve(balls);
-    its.met.reserve(meetings);
-    its.pieces.reserve(2048 + 4 * balls);
-    its.contacts.reserve(256 + 8 * balls);
-    its.origins.reserve(256 + 8 * balls);
+    takeMemory(its.members, balls);
+    takeMemory(its.crowded, balls);
+    takeMemory(its.met, meetings);
+    takeMemory(its.pieces, 2048 + 4 * balls);
+    if (worker == 0) continue;  // it writes to the world's lists
+    takeMemory(its.contacts, 256 + 8 * balls);
+    takeMemory(its.origins, 256 + 8 * balls);
   }
 }
 

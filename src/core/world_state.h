@@ -122,6 +122,7 @@ struct Records
   std::size_t pair_searches = 0;       ///< of balls with balls, in this window
   std::size_t near_pairs = 0;          ///< of balls whose boxes overlap, in this window
   bool crowding = false;               ///< a ball has met others too often, see handover.h
+  bool any_squeezed = false;           ///< a ball may be
 };
 
 /// What a worker has to do with a window, see islands.h.
@@ -177,6 +178,7 @@ struct IslandRecords
   static constexpr double kFirstLength = 0.02;  // [s]
 
   double length = kFirstLength;            ///< of the next window [s]
+  std::size_t first_contact = 0;           ///< of this window, in the world's list
   std::uint32_t runs = 0;                  ///< of all islands that are not settled, in this window
   BroadPhase broad_phase;                  ///< of what each ball would sweep if no other were there
   std::vector<CoarseBox> swept;            ///< by each ball in this window

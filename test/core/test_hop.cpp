@@ -1,6 +1,7 @@
 // The short way through a bounce leaves the same bits as the general one, which a paddle that moves somewhere far away enforces.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "scene_builder.h"
@@ -84,6 +85,20 @@ TEST(Hop, FlightsLongerThanTheHorizonAndABoxOnTheWay)
   expectSameBits(
       SceneBuilder().gravity(kG).floor().restitution(1.0).box("box", {0.2, 1, 0.2}, at({2, 0, 0.3})).ball({0, 0, 0.5}, {0.5, 0, 0}).build(),
       20.0, 20);
+}
+// Many hops of a window leave only the box that they were in, in which others have to find the ball.
+TEST(Hop, ABallThatFliesIntoManyHopsOfAWindowHits)
+{
+  const Scene scene =
+      SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 0.06}).ball({-3, 0, 0.055}, {3, 0, 4.9}).build();
+  World long_windows(scene), short_windows(scene);
+  const StepStatus status = long_windows.advance(1.4);
+  EXPECT_GT(status.contacts, 1u);
+  const std::vector<Contact>& contacts = long_windows.contacts();
+  EXPECT_TRUE(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.with_ball; }));
+  for (int tick = 0; tick < 1400; ++tick) short_windows.advance(1e-3);
+  for (const std::size_t ball : {0, 1})
+    EXPECT_LT((long_windows.ballState(ball).p_WB - short_windows.ballState(ball).p_WB).norm(), 1e-12) << ball;
 }
 }  // namespace
 }  // namespace ping_pong
