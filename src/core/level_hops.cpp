@@ -18,6 +18,8 @@ struct Flight1
   double start, x, y, z, v;  // v along z
 };
 
+Vector3d placeOf(const Flight1& flight) { return {flight.x, flight.y, flight.z}; }
+
 // What the next bounce leaves.
 struct Bounce
 {
@@ -38,7 +40,7 @@ Bounce bounceAt(double t, const Flight1& now, const Segment& path, double radius
   if (!(bounce.closing > 2.0 * kHopSpeed)) return bounce;
   const double v = before + (1.0 + ground.law.restitutionAt(bounce.closing)) * bounce.closing;
   bounce.after = {t, now.x + s * path.c[1].x(), now.y + s * path.c[1].y(), now.z + s * (now.v + s * half_a), v};
-  const Vector3d p(bounce.after.x, bounce.after.y, bounce.after.z);
+  const Vector3d p = placeOf(bounce.after);
   const double tolerance = touchTolerance(p, radius);
   if (v <= kSurelyBounces && bouncingEnds(v, -ground.a, tolerance)) return bounce;
   const double gap = p.z() - ground.z - radius;
@@ -50,6 +52,29 @@ Bounce bounceAt(double t, const Flight1& now, const Segment& path, double radius
 }
 
 Vector3d withZ(const Vector3d& v, double z) { return {v.x(), v.y(), z}; }
+
+// After so many hops, the next one at time t.
+void flyOn(BallRecord& ball, const Flight1& now, double t, std::size_t hops)
+{
+  Segment& path = ball.path;
+  path.start = now.start;
+  path.c[0] = placeOf(now);
+  path.c[1] = {path.c[1].x() + 0.0, path.c[1].y() + 0.0, now.v};  // no -0, as in hop.cpp
+  ball.version += static_cast<std::uint32_t>(hops);
+  ball.passing = Passing();
+  ball.next.time = t;
+}
+
+// From the first bounce to the last, where the path begins: the longest flight bulges most above the ground, see boxOf().
+Box boxOfHops(const Segment& path, const Flight1& first, double radius, const LevelGround& ground, double longest)
+{
+  Box way;
+  way.low = path.c[0].cwiseMin(placeOf(first)).array() - radius;
+  way.high = path.c[0].cwiseMax(placeOf(first)).array() + radius;
+  way.low.z() = std::min(way.low.z(), ground.z);
+  way.high.z() -= 0.25 * longest * longest * path.c[2].z();
+  return way;
+}
 }  // namespace
 
 std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, const LevelGround& ground, std::size_t most)
@@ -69,9 +94,8 @@ std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, c
     count(Law::MeetHalfSpace);
     countStreak(ball, t);
     if (hops == 0 && window.work) noteFlown(world, window, i, t);
-    const Vector3d p(bounce.after.x, bounce.after.y, bounce.after.z);
     recordBodyContact(*window.records, ball, i, ball.next,
-                      {p, withZ(path.c[1], -bounce.closing), withZ(path.c[1], bounce.after.v), Vector3d::Zero(), Vector3d::Zero()},
+                      {placeOf(bounce.after), withZ(path.c[1], -bounce.closing), withZ(path.c[1], bounce.after.v), Vector3d::Zero(), Vector3d::Zero()},
                       Vector3d::UnitZ(), Vector3d::Zero(), t);
     if (hops++ == 0)
       first = bounce.after;
@@ -81,19 +105,8 @@ std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, c
     t = bounce.next;
   }
   if (hops == 0) return 0;
-  path.start = now.start;
-  path.c[0] = {now.x, now.y, now.z};
-  path.c[1] = {path.c[1].x() + 0.0, path.c[1].y() + 0.0, now.v};  // no -0, as in hop.cpp
-  ball.version += static_cast<std::uint32_t>(hops);
-  ball.passing = Passing();
-  ball.next.time = t;
-  if (!window.work || hops == 1) return hops;
-  Box way;  // the longest flight bulges most above the ground, see boxOf()
-  way.low = path.c[0].cwiseMin(Vector3d(first.x, first.y, first.z)).array() - radius;
-  way.high = path.c[0].cwiseMax(Vector3d(first.x, first.y, first.z)).array() + radius;
-  way.low.z() = std::min(way.low.z(), ground.z);
-  way.high.z() -= 0.25 * longest * longest * path.c[2].z();
-  noteSomewhere(world, window, i, way, now.start);
+  flyOn(ball, now, t, hops);
+  if (window.work && hops > 1) noteSomewhere(world, window, i, boxOfHops(path, first, radius, ground, longest), now.start);
   return hops;
 }
 }  // namespace ping_pong
