@@ -202,7 +202,7 @@ void addWhoWasThrown(WorldState& world)
 bool worthAShorterWindow(const WorldState& world, const Window& window)
 {
   const IslandRecords& islands = world.islands;
-  if (!(window.end - window.start > 1.001 * kShortestWindow)) return false;  // beyond the rounding of its ends
+  if (!(window.end - window.start > 1.5001 * kShortestWindow)) return false;  // the next try would be as long: see runIslands()
   const double limit = kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
   double searches = pairSearches(islands);
   for (const std::uint32_t root : islands.islands)

@@ -361,5 +361,18 @@ TEST(Islands, NoOverlapAndNoLossOfEnergyInACrowd)
   EXPECT_LE(deepest, 1e-12);
   EXPECT_NEAR(world.totals().energy() / energy, 1.0, 1e-12);
 }
+// A tick as long as one window and not quite a half of the shortest can not be divided, however many meet in it.
+TEST(Islands, ATickHardlyLongerThanTheShortestWindowEnds)
+{
+  constexpr std::size_t kBalls = 24;
+  constexpr double kGap = 1e-6;  // [m]
+  SceneBuilder builder;
+  builder.restitution(1.0).ball({-0.04 - kGap, 0, 0}, {1, 0, 0});
+  for (std::size_t i = 1; i < kBalls; ++i) builder.ball({static_cast<double>(i - 1) * (0.04 + kGap), 0, 0});
+  World world(builder.build());
+  const StepStatus status = world.advance(1.2e-4);
+  EXPECT_EQ(status.contacts, kBalls - 1);
+  EXPECT_NEAR(world.ballState(kBalls - 1).v_WB.x(), 1.0, 1e-12);
+}
 }  // namespace
 }  // namespace ping_pong
