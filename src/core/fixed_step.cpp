@@ -111,14 +111,14 @@ void flyAll(WorldState& world, double h)
 
 // --- detect and resolve ---
 
-// The same with a box along the axes of W: true for most shapes of a scene, and cheaper still.
+// The ball is clear of a box along the axes of W, which contains a shape: true for most shapes of a scene, and cheapest.
 bool clearOf(const Box& box, const Vector3d& p_WB, double radius)
 {
   const auto beyond = [&](int i) { return p_WB[i] - radius >= box.high[i] || p_WB[i] + radius <= box.low[i]; };
   return beyond(2) || beyond(0) || beyond(1);
 }
 
-// The ball is clear of the box around the shape: true for nearly every step, and cheap. Place and shape in the body
+// The same with the box that is turned with the shape: true for nearly every step, and cheap. Place and shape in the body
 // frame.
 bool clearOf(const Shape& shape, const Vector3d& p_BQ, double radius)
 {

@@ -49,6 +49,13 @@ private:
     std::size_t size, grain;
   };
 
+  // Of a job, by worker; each in a line of the cache of its own.
+  struct alignas(64) Share
+  {
+    std::atomic<std::size_t> next{0};  // first index that nobody has taken
+    std::size_t end = 0;
+  };
+
   void stop();
   void live(std::size_t worker);
   void share(const Job& job);
@@ -62,11 +69,6 @@ private:
   bool stopping_ = false;
   std::atomic<std::size_t> jobs_{0};  // so far
   std::atomic<std::size_t> busy_{0};  // threads at work on job_
-  struct alignas(64) Share
-  {
-    std::atomic<std::size_t> next{0};  // first index that nobody has taken
-    std::size_t end = 0;
-  };
-  std::vector<Share> shares_;           // of job_, by worker
+  std::vector<Share> shares_;         // of job_
 };
 }  // namespace ping_pong

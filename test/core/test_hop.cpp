@@ -86,6 +86,7 @@ TEST(Hop, FlightsLongerThanTheHorizonAndABoxOnTheWay)
       SceneBuilder().gravity(kG).floor().restitution(1.0).box("box", {0.2, 1, 0.2}, at({2, 0, 0.3})).ball({0, 0, 0.5}, {0.5, 0, 0}).build(),
       20.0, 20);
 }
+
 // Many hops of a window leave only the box that they were in, in which others have to find the ball.
 TEST(Hop, ABallThatFliesIntoManyHopsOfAWindowHits)
 {

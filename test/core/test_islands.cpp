@@ -361,6 +361,7 @@ TEST(Islands, NoOverlapAndNoLossOfEnergyInACrowd)
   EXPECT_LE(deepest, 1e-12);
   EXPECT_NEAR(world.totals().energy() / energy, 1.0, 1e-12);
 }
+
 // A tick as long as one window and not quite a half of the shortest can not be divided, however many meet in it.
 TEST(Islands, ATickHardlyLongerThanTheShortestWindowEnds)
 {
