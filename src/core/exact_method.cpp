@@ -267,6 +267,7 @@ void startWindow(WorldState& world, double end)
   }
   if (!moving && !stopped && !world.any_moving) return;
   world.any_moving = moving;
+  world.islands.glances.forget();
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
     BallRecord& ball = world.balls[i];
@@ -286,6 +287,7 @@ void startWindow(WorldState& world, double end)
 void restartBall(WorldState& world, std::size_t i)
 {
   BallRecord& ball = world.balls[i];
+  world.islands.glances.forget();
   if (ball.away()) return;
   planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
   foresee(world, i, world.time);
@@ -324,7 +326,6 @@ void runExact(WorldState& world, double end)
   {
     const std::size_t only = 0;
     if (!world.pile.ball.empty()) leavePile(world, 0, world.time, end);
-    world.balls[only].next_ball = Event();  // another one may have been there
     runTogether(world, {world.time, end, end, &only, 1, &world});
   }
   else if (!world.balls.empty())
@@ -345,6 +346,7 @@ void releaseSqueezed(WorldState& world)
 {
   if (!world.any_squeezed) return;
   world.any_squeezed = false;
+  world.islands.glances.forget();
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
     BallRecord& ball = world.balls[i];

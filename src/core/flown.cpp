@@ -99,21 +99,27 @@ void noteLast(WorldState& world, const Window& window, std::size_t i)
 {
   IslandRecords& islands = world.islands;
   const CoarseBox last(boxOf(world.balls[i], window.start, window.end));
-  if (islands.last_piece[i] == IslandRecords::kNoEntry)
-    islands.swept[i] = last;
-  else
+  const bool bent = islands.last_piece[i] != IslandRecords::kNoEntry;
+  if (bent)
     islands.swept[i].add(last);
+  else
+    islands.swept[i] = last;
+  islands.glances.lookAt(world.balls[i], i, bent);
 }
 
 bool metInFlight(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
-  const IslandRecords& islands = world.islands;
-  const BallRecord &a = world.balls[i], &b = world.balls[k];
-  const bool whole =
-      islands.last_piece[i] == IslandRecords::kNoEntry && islands.last_piece[k] == IslandRecords::kNoEntry;
-  const bool alike = isParabola(a.path) && isParabola(b.path) && a.path.c[2] == b.path.c[2];
-  if (whole && !alike) return meetOnWholePaths(a, b, window);
-  const double reach = a.params.radius + b.params.radius;
+  const Glances& glances = world.islands.glances;
+  const Glance &its = glances[i], &others = glances[k];
+  if (!its.bent && !others.bent)
+  {
+    const GlanceKind &mine = glances.kindOf(its), &theirs = glances.kindOf(others);
+    if (mine.how == GlanceKind::How::Lies && theirs.how == GlanceKind::How::Lies) return false;
+    if (mine.how == GlanceKind::How::Flies && theirs.how == GlanceKind::How::Flies)
+      return meet({viewOf(its, mine), window.end, true}, {viewOf(others, theirs), window.end, true}, mine.radius + theirs.radius);
+    return meetOnWholePaths(world.balls[i], world.balls[k], window);
+  }
+  const double reach = world.balls[i].params.radius + world.balls[k].params.radius;
   return anyPiece(world, window, i,
                   [&](const View& mine)
                   { return anyPiece(world, window, k, [&](const View& other) { return meet(mine, other, reach); }); });

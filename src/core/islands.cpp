@@ -10,13 +10,8 @@ namespace ping_pong
 {
 namespace
 {
-// Long windows make large islands, in which each looks at each; short ones cost a search for neighbours each. Searches
-// of pairs, by ball and window:
-constexpr double kManySearches = 2.0;     // halve the window
-constexpr double kFewSearches = 0.7;      // double it
-constexpr double kNobodyNear = 16.0;      // times longer, if no two boxes overlapped
-constexpr double kTooManySearches = 4.0;  // give up and begin again with a shorter window
-constexpr double kShortestWindow = 1e-4;  // [s]
+// By ball and window: searches of pairs that are not worth it, see WindowLength.
+constexpr double kTooManySearches = 4.0;
 
 // What a worker takes at a time.
 constexpr std::size_t kBalls = 256;
@@ -50,6 +45,7 @@ void save(WorldState& world, IslandWork& work, std::size_t i)
   if (saved != IslandRecords::kNoEntry) return;
   saved = IslandRecords::entry(work, work.saved.size());
   work.saved.push_back(world.balls[i]);
+  work.changed.push_back(static_cast<std::uint32_t>(i));
 }
 
 // While a window runs the first worker writes to the world's own lists: where it is alone, no contact is copied.
@@ -59,15 +55,50 @@ void lendContacts(WorldState& world)
   std::swap(world.origins, world.islands.work.front().origins);
 }
 
-void begin(WorldState& world)
+void alone(BallRecord& ball)
+{
+  ball.met = false;
+  ball.run = 0;
+  ball.next_ball = Event();
+}
+
+void alone(IslandRecords& islands, std::uint32_t i)
+{
+  islands.root[i] = islands.next[i] = i;
+  islands.saved_at[i] = islands.last_piece[i] = IslandRecords::kNoEntry;
+}
+
+// Whatever has been done to the balls.
+void startAnew(WorldState& world)
 {
   IslandRecords& islands = world.islands;
   const std::size_t n = world.balls.size();
-  islands.runs = 0;
-  islands.islands.clear();
+  islands.glances.lookAtAll(world.balls);
   for (std::vector<std::uint32_t>* list : {&islands.saved_at, &islands.root, &islands.next, &islands.last_piece})
     list->resize(n);
   islands.swept.resize(n);
+  for (std::uint32_t i = 0; i < n; ++i) alone(islands, i);
+  for (BallRecord& ball : world.balls) alone(ball);
+}
+
+// As it was before this window, for those that are not.
+void forgetIslands(WorldState& world)
+{
+  for (const IslandWork& work : world.islands.work)
+    for (const std::uint32_t i : work.changed)
+    {
+      alone(world.islands, i);
+      alone(world.balls[i]);
+      world.islands.glances[i].bent = false;
+    }
+}
+
+void begin(WorldState& world)
+{
+  IslandRecords& islands = world.islands;
+  if (!islands.glances.known()) startAnew(world);
+  islands.runs = 0;
+  islands.islands.clear();
   for (IslandWork& work : islands.work)
   {
     work.keep_contacts = world.keep_contacts;
@@ -77,6 +108,7 @@ void begin(WorldState& world)
     work.pair_searches = work.near_pairs = 0;
     work.crowding = work.any_squeezed = false;
     work.saved.clear();
+    work.changed.clear();
     work.pieces.clear();
     work.met.clear();
     work.crowded.clear();
@@ -90,15 +122,17 @@ void begin(WorldState& world)
 void runAlone(WorldState& world, Window& window, std::size_t i)
 {
   IslandRecords& islands = world.islands;
-  BallRecord& ball = world.balls[i];
-  islands.saved_at[i] = IslandRecords::kNoEntry;
-  islands.root[i] = islands.next[i] = static_cast<std::uint32_t>(i);
-  forgetFlown(islands, i);
-  if (ball.met) ball.met = false;  // what is not written stays shared between the cores
-  if (ball.run != 0) ball.run = 0;
-  if (ball.next_ball.kind != Event::Kind::None) ball.next_ball = Event();
-  if (ball.away()) return;
-  if (soonest(ball).time <= window.end)
+  const Glance& glance = islands.glances[i];
+  const GlanceKind& kind = islands.glances.kindOf(glance);
+  islands.swept[i] = CoarseBox();
+  if (kind.how == GlanceKind::How::Away) return;
+  const bool asked = kind.how == GlanceKind::How::AskRecord;
+  if (!asked && glance.next > window.end)
+  {
+    islands.swept[i] = CoarseBox(boxOf(viewOf(glance, kind), kind.radius, window.start, window.end));
+    return;
+  }
+  if (soonest(world.balls[i]).time <= window.end)
   {
     save(world, *window.work, i);
     window.members = &i;
@@ -144,8 +178,6 @@ void backToStart(WorldState& world, IslandWork& work, std::size_t i)
   BallRecord& ball = world.balls[i];
   ball = islands.saved(islands.saved_at[i]);
   forgetFlown(islands, i);
-  ball.met = false;
-  ball.next_ball = Event();
   ball.run = islands.runs;
 }
 
@@ -174,7 +206,7 @@ void findWhoWasMet(WorldState& world, const Window& window, std::uint32_t root)
   {
     const auto lookAt = [&](std::uint32_t k)
     {
-      if (islands.root[k] == root || world.balls[k].away() || !islands.swept[k].overlaps(islands.swept[i])) return;
+      if (islands.root[k] == root || !islands.swept[k].overlaps(islands.swept[i])) return;
       ++window.work->near_pairs;
       if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
     };
@@ -202,7 +234,7 @@ void addWhoWasThrown(WorldState& world)
 bool worthAShorterWindow(const WorldState& world, const Window& window)
 {
   const IslandRecords& islands = world.islands;
-  if (!(window.end - window.start > 1.5001 * kShortestWindow)) return false;  // the next try would be as long: see runIslands()
+  if (!(window.end - window.start > 1.5001 * WindowLength::kShortest)) return false;  // the next try would be as long: see runIslands()
   const double limit = kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
   double searches = pairSearches(islands);
   for (const std::uint32_t root : islands.islands)
@@ -246,6 +278,7 @@ void undo(WorldState& world)
   if (world.keep_contacts) world.contacts.resize(islands.first_contact);
   for (std::size_t i = 0; i < world.balls.size(); ++i)
     if (islands.saved_at[i] != IslandRecords::kNoEntry) world.balls[i] = islands.saved(islands.saved_at[i]);
+  islands.glances.forget();
 }
 
 // By time, ties by ball. Contacts are large: their order is found first, and each is moved once.
@@ -372,6 +405,7 @@ Outcome runWindow(WorldState& world, const Window& window)
   }
   if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
   takeContacts(world);
+  forgetIslands(world);
   return Outcome::Done;
 }
 
@@ -393,10 +427,14 @@ void runIslands(WorldState& world, double end)
   IslandRecords& islands = world.islands;
   for (double start = world.time; start < end;)
   {
-    const bool whole = start + 1.5 * islands.length < end;  // else it ends with the tick, whatever its length should be
-    const double window_end = endOfWindow(world, start, whole ? start + islands.length : end);
+    const bool whole = start + 1.5 * islands.length.next() < end;  // else it ends with the tick, whatever its length should be
+    const double window_end = endOfWindow(world, start, whole ? start + islands.length.next() : end);
     const std::size_t first_contact = world.contacts.size();
-    if (!world.pile.ball.empty()) joinPile(world, start, window_end);
+    if (!world.pile.ball.empty())
+    {
+      islands.glances.forget();
+      joinPile(world, start, window_end);
+    }
     const bool all_piled = world.pile.ball.size() == world.balls.size();
     Outcome outcome = Outcome::Done;
     double searches = 0.0;
@@ -410,14 +448,16 @@ void runIslands(WorldState& world, double end)
       sumUp(world);
       searches = pairSearches(islands) / static_cast<double>(world.balls.size());
     }
-    if (outcome == Outcome::Crowded) continue;
-    if (outcome == Outcome::TooLong || searches > kManySearches)
-      islands.length = std::max(0.5 * std::min(islands.length, window_end - start), kShortestWindow);
-    else if (searches < kFewSearches && (whole || window_end - start >= islands.length))
-      islands.length *= searches == 0.0 ? kNobodyNear : 2.0;
-    if (outcome == Outcome::TooLong) continue;
+    if (outcome == Outcome::TooLong) islands.length.tooLong(std::min(islands.length.next(), window_end - start));
+    if (outcome != Outcome::Done) continue;
+    islands.length.done(window_end - start, searches, whole);
+    if (!world.pile.ball.empty()) islands.glances.forget();  // some may leave it
     movePile(world, start, window_end, end);
-    if (!world.pile.ball.empty()) sortContacts(world, first_contact);
+    if (!world.pile.ball.empty())
+    {
+      islands.glances.forget();  // others may have joined
+      sortContacts(world, first_contact);
+    }
     start = window_end;
   }
 }

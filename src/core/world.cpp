@@ -107,7 +107,6 @@ void World::Impl::start()
   next_id = 0;
   contacts.clear();
   origins.clear();
-  islands.length = IslandRecords::kFirstLength;
   status = StepStatus();
   scene.balls = {};  // they are in `loaded`
   balls.clear();
@@ -124,6 +123,7 @@ void World::Impl::start()
   for (const SceneBall& ball : loaded.balls) add(ball.params, normalized(ball.state));
   if (eventByEvent(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
   planAll();
+  islands.length.estimate(*this);
 }
 
 BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
@@ -431,6 +431,7 @@ Refusal World::deleteBall(BallId id)
   const std::size_t index = findBall(id);
   if (index == kNone) return {"ball: no ball_" + std::to_string(id)};
   if (!impl_->pile.ball.empty()) removeFromPile(impl_->pile, static_cast<std::uint32_t>(index));
+  impl_->islands.glances.forget();
   impl_->balls.erase(impl_->balls.begin() + static_cast<std::ptrdiff_t>(index));
   return {};
 }

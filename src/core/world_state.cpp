@@ -17,16 +17,6 @@ double leastOn(double v, double a, double T)
   return std::min(0.0, (v + 0.5 * a * T) * T);
 }
 
-// The chord, and as far beyond it as the parabola bulges: |a| T^2 / 8. Wider than need be where the ball does not turn round
-// in between, but without a root, a quotient or a branch.
-Box boxOfParabola(const Segment& path, double radius, double from, double to)
-{
-  const double s = std::max(from - path.start, 0.0), e = std::max(to - path.start, s);
-  const Vector3d p = path.c[0] + s * (path.c[1] + s * path.c[2]), q = path.c[0] + e * (path.c[1] + e * path.c[2]);
-  const Vector3d bulge = (0.25 * (e - s) * (e - s)) * path.c[2];  // towards -a
-  return {(p.cwiseMin(q) - bulge.cwiseMax(0.0)).array() - radius, (p.cwiseMax(q) - bulge.cwiseMin(0.0)).array() + radius};
-}
-
 Box boxAround(const Shape& placed)
 {
   Box box;
@@ -39,10 +29,20 @@ Box boxAround(const Shape& placed)
 }
 }  // namespace
 
+// The chord, and as far beyond it as the parabola bulges: |a| T^2 / 8. Wider than need be where the ball does not turn round
+// in between, but without a root, a quotient or a branch.
+Box boxOf(const ParabolaView& path, double radius, double from, double to)
+{
+  const double s = std::max(from - path.start, 0.0), e = std::max(to - path.start, s);
+  const Vector3d p = path.p + s * (path.v + s * path.half_a), q = path.p + e * (path.v + e * path.half_a);
+  const Vector3d bulge = (0.25 * (e - s) * (e - s)) * path.half_a;  // towards -a
+  return {(p.cwiseMin(q) - bulge.cwiseMax(0.0)).array() - radius, (p.cwiseMax(q) - bulge.cwiseMin(0.0)).array() + radius};
+}
+
 Box boxOf(const BallRecord& ball, double from, double to)
 {
   const Segment& path = ball.path;
-  if (path.degree == 2) return boxOfParabola(path, ball.params.radius, from, to);
+  if (path.degree == 2) return boxOf(ParabolaView(path), ball.params.radius, from, to);
   const double s = std::max(from - path.start, 0.0);
   const double T = std::max(to - path.start - s, 0.0);
   const Vector3d p = path.position(s), v = path.velocity(s);
@@ -58,6 +58,7 @@ Box boxOf(const BallRecord& ball, double from, double to)
 void IslandRecords::reserve(std::size_t balls, std::size_t workers)
 {
   broad_phase.reserve(balls);
+  glances.reserve(balls);
   takeMemory(swept, balls);
   for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &last_piece}) takeMemory(*list, balls);
   const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
@@ -69,6 +70,7 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     IslandWork& its = work[worker];
     its.worker = worker;
     its.saved.reserve(balls);
+    takeMemory(its.changed, balls);
     takeMemory(its.members, balls);
     takeMemory(its.crowded, balls);
     takeMemory(its.met, meetings);

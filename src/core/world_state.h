@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "broad_phase.h"
+#include "glance.h"
 #include "parabola.h"
 #include "pile.h"
 #include "ping_pong_sim/contact.h"
@@ -13,6 +14,7 @@
 #include "ping_pong_sim/segment.h"
 #include "ping_pong_sim/support.h"
 #include "ping_pong_sim/world.h"
+#include "window_length.h"
 #include "workers.h"
 
 namespace ping_pong
@@ -53,11 +55,11 @@ struct BallRecord
   bool piled = false;      ///< handed over to the pile, see handover.h
   bool asleep = false;     ///< in the pile, see pile.h
   bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
-  bool met = false;        ///< has hit a ball in this window
-  std::uint32_t run = 0;   ///< of its island in this window: what an earlier run has recorded has not happened
+  bool met = false;        ///< has hit a ball in this window; false between windows
+  std::uint32_t run = 0;   ///< of its island in this window: what an earlier run has recorded has not happened; 0 between windows
   Event next;              ///< with still bodies; holds until the path changes
   Event next_moving;       ///< with moving bodies; holds for this window
-  Event next_ball;         ///< with balls of the same island; holds for this window
+  Event next_ball;         ///< with balls of the same island; holds for this window, none between windows
   BallParams params;
   Segment path;
   FlightModel model;
@@ -88,6 +90,8 @@ inline const Event& soonest(const BallRecord& ball)
 
 /// Contains the ball on its path at all times in [from, to], or from the start of the path if that is later.
 Box boxOf(const BallRecord& ball, double from, double to);
+/// The same for a ball on a parabola.
+Box boxOf(const ParabolaView& path, double radius, double from, double to);
 
 struct BodyRecord
 {
@@ -140,13 +144,15 @@ struct IslandWork : Records
 
   std::uint32_t worker = 0;
   std::vector<BallRecord> saved;      ///< balls at the start of the window, of those that have changed since
+  std::vector<std::uint32_t> changed;  ///< their indices
   std::vector<Piece> pieces;          ///< flown in this window, see flown.h
   std::vector<std::size_t> members;   ///< the island at work
   std::vector<std::array<std::uint32_t, 2>> met;  ///< balls that are in each other's way
   std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see handover.h
 };
 
-/// What the exact method keeps from window to window, see islands.h.
+/// What the exact method keeps from window to window, see islands.h. Lists by ball but for `swept` are written for those that
+/// change only, and are as at first between windows: no entries, each ball an island of its own.
 struct IslandRecords
 {
   static constexpr std::uint32_t kNoEntry = ~0u;
@@ -175,11 +181,10 @@ struct IslandRecords
     }
   };
 
-  static constexpr double kFirstLength = 0.02;  // [s]
-
-  double length = kFirstLength;            ///< of the next window [s]
+  WindowLength length;                     ///< of the next window
   std::size_t first_contact = 0;           ///< of this window, in the world's list
   std::uint32_t runs = 0;                  ///< of all islands that are not settled, in this window
+  Glances glances;                         ///< of each ball
   BroadPhase broad_phase;                  ///< of what each ball would sweep if no other were there
   std::vector<CoarseBox> swept;            ///< by each ball in this window
   std::vector<IslandWork> work;            ///< of each worker

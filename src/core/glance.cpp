@@ -1,0 +1,83 @@
+#include "glance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "take_memory.h"
+#include "world_state.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr std::uint16_t kAskRecord = 0, kAway = 1;
+
+// No later than t.
+float before(double t)
+{
+  constexpr float kRounding = 2e-7f;  // more than that of the number and of the difference, 2^-24 each
+  const auto near = static_cast<float>(std::min(t, 1e30));
+  return near - kRounding * std::abs(near);
+}
+
+GlanceKind::How howOf(const BallRecord& ball)
+{
+  if (ball.away()) return GlanceKind::How::Away;
+  if (ball.path.degree == 2) return GlanceKind::How::Flies;
+  return ball.path.degree == 0 ? GlanceKind::How::Lies : GlanceKind::How::AskRecord;
+}
+}  // namespace
+
+void Glances::reserve(std::size_t balls)
+{
+  takeMemory(list_, balls);
+  kinds_.reserve(kMostKinds);
+}
+
+bool Glances::is(std::uint16_t kind, const BallRecord& ball) const
+{
+  const GlanceKind& it = kinds_[kind];
+  return it.how == howOf(ball) && it.radius == ball.params.radius &&
+         (it.how == GlanceKind::How::Lies || it.half_a == ball.path.c[2]);
+}
+
+std::uint16_t Glances::kindFor(const BallRecord& ball, std::uint16_t guess) const
+{
+  if (ball.away()) return kAway;
+  if (is(guess, ball)) return guess;
+  for (std::size_t kind = kAway + 1; kind < kinds_.size(); ++kind)
+    if (is(static_cast<std::uint16_t>(kind), ball)) return static_cast<std::uint16_t>(kind);
+  return kAskRecord;
+}
+
+void Glances::lookAt(const BallRecord& ball, std::size_t i, bool bent)
+{
+  Glance& glance = list_[i];
+  glance.next = before(std::min(ball.next.time, ball.next_moving.time));
+  glance.kind = kindFor(ball, glance.kind);
+  glance.bent = bent;
+  glance.start = ball.path.start;
+  glance.p = ball.path.c[0];
+  glance.v = ball.path.degree == 0 ? Vector3d(Vector3d::Zero()) : ball.path.c[1];
+}
+
+// The kinds are found here: while windows run, several workers read them.
+void Glances::lookAtAll(const std::vector<BallRecord>& balls)
+{
+  kinds_.resize(2);
+  kinds_[kAway].how = GlanceKind::How::Away;
+  list_.assign(balls.size(), Glance());
+  for (std::size_t i = 0; i < balls.size(); ++i)
+  {
+    const BallRecord& ball = balls[i];
+    lookAt(ball, i, false);
+    const GlanceKind::How how = howOf(ball);
+    const bool new_kind = list_[i].kind == kAskRecord && how != GlanceKind::How::AskRecord;
+    const bool rolls = how == GlanceKind::How::Flies && !ball.supports.none();
+    if (!new_kind || rolls || kinds_.size() == kMostKinds) continue;
+    kinds_.push_back({how, ball.params.radius, how == GlanceKind::How::Flies ? ball.path.c[2] : Vector3d(Vector3d::Zero())});
+    list_[i].kind = static_cast<std::uint16_t>(kinds_.size() - 1);
+  }
+  known_ = true;
+}
+}  // namespace ping_pong

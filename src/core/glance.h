@@ -1,0 +1,69 @@
+// What a window asks of every ball, in one line of the cache: thousands of whole records are a long way through memory.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "box.h"
+#include "parabola.h"
+
+namespace ping_pong
+{
+struct BallRecord;
+
+struct Glance
+{
+  float next = 0.0f;       ///< no event with a body is earlier [s]
+  std::uint16_t kind = 0;  ///< entry in Glances::kinds
+  bool bent = false;       ///< the ball has left a path in this window
+  double start = 0.0;      ///< of the path [s]
+  Vector3d p, v;           ///< there, in W [m, m/s]
+};
+static_assert(sizeof(Glance) == 64, "a line of the cache");
+
+/// What many balls have in common.
+struct GlanceKind
+{
+  enum class How : std::uint8_t
+  {
+    AskRecord,  ///< a path that is not known here
+    Away,       ///< BallRecord::away()
+    Flies,      ///< p + v s + half_a s^2
+    Lies
+  };
+  How how = How::AskRecord;
+  double radius = 0.0;                   ///< [m]
+  Vector3d half_a = Vector3d::Zero();    ///< [m/s^2], in W
+};
+
+class Glances
+{
+public:
+  void reserve(std::size_t balls);
+  /// Someone may have changed balls outside of a window: all have to be looked at.
+  void forget() { known_ = false; }
+  bool known() const { return known_; }
+  void lookAtAll(const std::vector<BallRecord>& balls);
+  /// To be called when ball i will not change any more, for now.
+  void lookAt(const BallRecord& ball, std::size_t i, bool bent);
+
+  const Glance& operator[](std::size_t i) const { return list_[i]; }
+  Glance& operator[](std::size_t i) { return list_[i]; }
+  const GlanceKind& kindOf(const Glance& glance) const { return kinds_[glance.kind]; }
+
+private:
+  static constexpr std::size_t kMostKinds = 16;
+
+  bool is(std::uint16_t kind, const BallRecord& ball) const;
+  std::uint16_t kindFor(const BallRecord& ball, std::uint16_t guess) const;
+
+  bool known_ = false;
+  std::vector<GlanceKind> kinds_;
+  std::vector<Glance> list_;
+};
+
+inline ParabolaView viewOf(const Glance& glance, const GlanceKind& kind)
+{
+  return {glance.start, glance.p, glance.v, kind.half_a};
+}
+}  // namespace ping_pong
