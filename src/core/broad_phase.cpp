@@ -208,7 +208,7 @@ void BroadPhase::add(std::uint32_t index, const CoarseBox& box)
       for (int x = range.low[0]; x <= range.high[0]; ++x)
       {
         const std::size_t c = cell(x, y, z);
-        added_.push_back({index, added_start_[c]});
+        added_.push_back({index, added_start_[c], range.low});
         added_start_[c] = static_cast<std::uint32_t>(added_.size() - 1);
       }
 }

@@ -33,8 +33,7 @@ public:
   /// Until the next build() this box is there, too, under an index of the caller's. The boxes of the last build() say
   /// where cells are, so that looking for it does not mean looking at all that were added.
   void add(std::uint32_t index, const CoarseBox& box);
-  /// Calls action(index) for all added boxes in the cells of this box: all that overlap it, some that do not, some
-  /// twice.
+  /// Calls action(index) for all added boxes in the cells of this box: all that overlap it and some that do not, each once.
   template <class Action>
   void eachAdded(const CoarseBox& box, const Action& action) const;
 
@@ -67,6 +66,7 @@ private:
   struct Added
   {
     std::uint32_t index, next;  // of the box; of the next entry of the same cell
+    std::array<int, 3> low;     // first cell of the box
   };
   struct Range
   {
@@ -184,6 +184,11 @@ void BroadPhase::eachAdded(const CoarseBox& box, const Action& action) const
   for (int z = r.low[2]; z <= r.high[2]; ++z)
     for (int y = r.low[1]; y <= r.high[1]; ++y)
       for (int x = r.low[0]; x <= r.high[0]; ++x)
-        for (std::uint32_t e = added_start_[cell(x, y, z)]; e != kNoEntry; e = added_[e].next) action(added_[e].index);
+        for (std::uint32_t e = added_start_[cell(x, y, z)]; e != kNoEntry; e = added_[e].next)
+        {
+          const std::array<int, 3>& low = added_[e].low;  // of all cells that both are in, the first one tells
+          if (x == std::max(r.low[0], low[0]) && y == std::max(r.low[1], low[1]) && z == std::max(r.low[2], low[2]))
+            action(added_[e].index);
+        }
 }
 }  // namespace ping_pong

@@ -21,6 +21,7 @@ struct Window
   Records* records = nullptr;             ///< of the world; of the worker,
   IslandWork* work = nullptr;             ///< who also notes what the balls have flown. Null: nobody will ask
   std::size_t most_events = ~std::size_t{0};  ///< more than that are not handled
+  double outlook = 0.0;                   ///< whom balls meet is looked for until then, see outlook.h; no earlier than `end` [s]
 };
 
 /// Handles all events of these balls up to the end of the window, one after the other; false if there are more than most_events.

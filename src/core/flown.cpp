@@ -56,12 +56,12 @@ void forgetPath(Piece& piece, double until)
   piece.until = until;
 }
 
-// Paths that nothing has bent in this window are searched whatever they are.
-bool meetOnWholePaths(const BallRecord& a, const BallRecord& b, const Window& window)
+double firstMeeting(const BallRecord& a, const BallRecord& b, double until)
 {
-  if (a.path.degree == 0 && b.path.degree == 0) return false;
+  if (a.away() || b.away() || (a.path.degree == 0 && b.path.degree == 0)) return kNever;
   const double from = std::max(a.path.start, b.path.start);
-  return firstContact(a.path, a.params.radius, b.path, b.params.radius, from, window.end).time < kNever;
+  const double to = std::min({until, a.path.end, b.path.end});
+  return firstContact(a.path, a.params.radius, b.path, b.params.radius, from, to).time;
 }
 }  // namespace
 
@@ -107,18 +107,21 @@ void noteLast(WorldState& world, const Window& window, std::size_t i)
   islands.glances.lookAt(world.balls[i], i, bent);
 }
 
+double firstMeeting(const WorldState& world, std::size_t i, std::size_t k, double until)
+{
+  const Glances& glances = world.islands.glances;
+  const Glance &a = glances[i], &b = glances[k];
+  const GlanceKind &kind_a = glances.kindOf(a), &kind_b = glances.kindOf(b);
+  const bool fly = kind_a.how == GlanceKind::How::Flies && kind_b.how == GlanceKind::How::Flies;
+  if (!fly || kind_a.half_a != kind_b.half_a) return firstMeeting(world.balls[i], world.balls[k], until);
+  count(Law::PairSearch);
+  return firstContact(viewOf(a, kind_a), viewOf(b, kind_b), kind_a.radius + kind_b.radius, std::max(a.start, b.start), until).time;
+}
+
 bool metInFlight(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
   const Glances& glances = world.islands.glances;
-  const Glance &its = glances[i], &others = glances[k];
-  if (!its.bent && !others.bent)
-  {
-    const GlanceKind &mine = glances.kindOf(its), &theirs = glances.kindOf(others);
-    if (mine.how == GlanceKind::How::Lies && theirs.how == GlanceKind::How::Lies) return false;
-    if (mine.how == GlanceKind::How::Flies && theirs.how == GlanceKind::How::Flies)
-      return meet({viewOf(its, mine), window.end, true}, {viewOf(others, theirs), window.end, true}, mine.radius + theirs.radius);
-    return meetOnWholePaths(world.balls[i], world.balls[k], window);
-  }
+  if (!glances[i].bent && !glances[k].bent) return firstMeeting(world, i, k, window.end) <= window.end;
   const double reach = world.balls[i].params.radius + world.balls[k].params.radius;
   return anyPiece(world, window, i,
                   [&](const View& mine)

@@ -1,8 +1,5 @@
 #include "glance.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "take_memory.h"
 #include "world_state.h"
 
@@ -11,14 +8,6 @@ namespace ping_pong
 namespace
 {
 constexpr std::uint16_t kAskRecord = 0, kAway = 1;
-
-// No later than t.
-float before(double t)
-{
-  constexpr float kRounding = 2e-7f;  // more than that of the number and of the difference, 2^-24 each
-  const auto near = static_cast<float>(std::min(t, 1e30));
-  return near - kRounding * std::abs(near);
-}
 
 GlanceKind::How howOf(const BallRecord& ball)
 {
@@ -53,7 +42,7 @@ std::uint16_t Glances::kindFor(const BallRecord& ball, std::uint16_t guess) cons
 void Glances::lookAt(const BallRecord& ball, std::size_t i, bool bent)
 {
   Glance& glance = list_[i];
-  glance.next = before(std::min(ball.next.time, ball.next_moving.time));
+  glance.next = floatBefore(std::min(ball.next.time, ball.next_moving.time));
   glance.kind = kindFor(ball, glance.kind);
   glance.bent = bent;
   glance.start = ball.path.start;

@@ -1,6 +1,8 @@
 // What a window asks of every ball, in one line of the cache: thousands of whole records are a long way through memory.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -10,6 +12,14 @@
 namespace ping_pong
 {
 struct BallRecord;
+
+/// No later than t, and not much earlier.
+inline float floatBefore(double t)
+{
+  constexpr float kRounding = 2e-7f;  // more than that of the number and of the difference, 2^-24 each
+  const auto near = static_cast<float>(std::min(t, 1e30));
+  return near - kRounding * std::abs(near);
+}
 
 struct Glance
 {

@@ -1,6 +1,7 @@
 #include "islands.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "flown.h"
 #include "foresight.h"
@@ -12,6 +13,9 @@ namespace
 {
 // By ball and window: searches of pairs that are not worth it, see WindowLength.
 constexpr double kTooManySearches = 4.0;
+
+constexpr double kTicksAhead = 3.0;  // that are worth an outlook
+constexpr double kShare = 0.8;       // of the windows that would fit into a tick: rather a bit longer than one more
 
 // What a worker takes at a time.
 constexpr std::size_t kBalls = 256;
@@ -119,29 +123,67 @@ void begin(WorldState& world)
 
 // --- each ball as if it were alone ---
 
+bool hasEvents(const WorldState& world, std::size_t i, double end)
+{
+  const Glance& glance = world.islands.glances[i];
+  switch (world.islands.glances.kindOf(glance).how)
+  {
+    case GlanceKind::How::Away:
+      return false;
+    case GlanceKind::How::AskRecord:
+      return soonest(world.balls[i]).time <= end;
+    default:
+      return glance.next <= end && soonest(world.balls[i]).time <= end;
+  }
+}
+
+// What it sweeps if nothing happens to it.
+CoarseBox quietBox(const WorldState& world, const Window& window, std::size_t i)
+{
+  const Glance& glance = world.islands.glances[i];
+  const GlanceKind& kind = world.islands.glances.kindOf(glance);
+  if (kind.how == GlanceKind::How::Away) return {};
+  if (kind.how == GlanceKind::How::AskRecord) return CoarseBox(boxAhead(world.balls[i], window.start, window.outlook));
+  return CoarseBox(boxOf(viewOf(glance, kind), kind.radius, window.start, window.outlook));
+}
+
 void runAlone(WorldState& world, Window& window, std::size_t i)
 {
-  IslandRecords& islands = world.islands;
-  const Glance& glance = islands.glances[i];
-  const GlanceKind& kind = islands.glances.kindOf(glance);
-  islands.swept[i] = CoarseBox();
-  if (kind.how == GlanceKind::How::Away) return;
-  const bool asked = kind.how == GlanceKind::How::AskRecord;
-  if (!asked && glance.next > window.end)
-  {
-    islands.swept[i] = CoarseBox(boxOf(viewOf(glance, kind), kind.radius, window.start, window.end));
-    return;
-  }
-  if (soonest(world.balls[i]).time <= window.end)
-  {
-    save(world, *window.work, i);
-    window.members = &i;
-    runTogether(world, window);
-  }
+  save(world, *window.work, i);
+  forgetFlown(world.islands, i);
+  window.members = &i;
+  runTogether(world, window);
   noteLast(world, window, i);
 }
 
+// Calls action(ball, its window) for all balls.
+template <class Action>
+void eachBall(WorldState& world, const Window& window, const Action& action)
+{
+  world.workers.each(world.balls.size(), kBalls,
+                     [&](std::size_t begin, std::size_t end, std::size_t worker)
+                     {
+                       Window its = window;
+                       its.count = 1;
+                       its.records = its.work = &world.islands.work[worker];
+                       for (std::size_t i = begin; i < end; ++i) action(i, its);
+                     });
+}
+
 // --- islands ---
+
+// Calls action(world, its window, entry) for all entries of a list of balls or islands.
+template <class Action>
+void eachOf(const std::vector<std::uint32_t>& list, WorldState& world, const Window& window, const Action& action)
+{
+  world.workers.each(list.size(), kIslands,
+                     [&](std::size_t begin, std::size_t end, std::size_t worker)
+                     {
+                       Window its = window;
+                       its.records = its.work = &world.islands.work[worker];
+                       for (std::size_t c = begin; c < end; ++c) action(world, its, list[c]);
+                     });
+}
 
 // Those who met are of one island now; its root stands in the list of islands that have to run.
 void uniteWhoMet(IslandRecords& islands)
@@ -198,23 +240,26 @@ void runIsland(WorldState& world, Window window, std::uint32_t root)
   for (const std::size_t i : members) noteLast(world, window, i);
 }
 
+void findWhoWasMetBy(WorldState& world, const Window& window, std::uint32_t i)
+{
+  IslandRecords& islands = world.islands;
+  const auto lookAt = [&](std::uint32_t k)
+  {
+    if (islands.root[k] == islands.root[i] || !islands.swept[k].overlaps(islands.swept[i])) return;
+    ++window.work->near_pairs;
+    if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
+  };
+  islands.broad_phase.eachOverlapping(islands.swept[i], islands.swept, lookAt);
+  islands.broad_phase.eachAdded(islands.swept[i], lookAt);
+}
+
 // Balls that were thrown off their path may come into the way of balls outside, islands of the same run among them.
 void findWhoWasMet(WorldState& world, const Window& window, std::uint32_t root)
 {
-  IslandRecords& islands = world.islands;
+  const IslandRecords& islands = world.islands;
   for (std::uint32_t i = islands.next[root];; i = islands.next[i])
   {
-    const auto lookAt = [&](std::uint32_t k)
-    {
-      if (islands.root[k] == root || !islands.swept[k].overlaps(islands.swept[i])) return;
-      ++window.work->near_pairs;
-      if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
-    };
-    if (world.balls[i].met)
-    {
-      islands.broad_phase.eachOverlapping(islands.swept[i], islands.swept, lookAt);
-      islands.broad_phase.eachAdded(islands.swept[i], lookAt);
-    }
+    if (world.balls[i].met) findWhoWasMetBy(world, window, i);
     if (i == root) return;
   }
 }
@@ -251,19 +296,9 @@ void runIslandsOnce(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
   ++islands.runs;
-  const auto each = [&](const auto& action)
-  {
-    world.workers.each(islands.islands.size(), kIslands,
-                       [&](std::size_t begin, std::size_t end, std::size_t worker)
-                       {
-                         Window its = window;
-                         its.records = its.work = &islands.work[worker];
-                         for (std::size_t i = begin; i < end; ++i) action(world, its, islands.islands[i]);
-                       });
-  };
-  each(runIsland);
+  eachOf(islands.islands, world, window, runIsland);
   addWhoWasThrown(world);
-  each(findWhoWasMet);
+  eachOf(islands.islands, world, window, findWhoWasMet);
   uniteWhoMet(islands);
 }
 
@@ -372,18 +407,26 @@ enum class Outcome
   Crowded   ///< nothing was done but that balls have joined the pile
 };
 
-Outcome runWindow(WorldState& world, const Window& window)
+// The outlook of a window before this one holds to its end.
+bool seesAhead(const IslandRecords& islands, double end)
+{
+  return islands.glances.known() && islands.outlook.end >= end;
+}
+
+// All fly, and each looks for others in its way.
+void flyAnew(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
-  begin(world);
-  world.workers.each(world.balls.size(), kBalls,
-                     [&](std::size_t begin, std::size_t end, std::size_t worker)
-                     {
-                       Window its = window;
-                       its.count = 1;
-                       its.records = its.work = &islands.work[worker];
-                       for (std::size_t i = begin; i < end; ++i) runAlone(world, its, i);
-                     });
+  const bool ahead = window.outlook > window.end;
+  beginOutlook(world, window);
+  eachBall(world, window,
+           [&](std::size_t i, Window& its)
+           {
+             if (hasEvents(world, i, window.end))
+               runAlone(world, its, i);
+             else
+               islands.swept[i] = quietBox(world, window, i);
+           });
   islands.broad_phase.build(islands.swept, world.workers);
   world.workers.each(islands.broad_phase.boxes(), kBalls,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
@@ -393,9 +436,42 @@ Outcome runWindow(WorldState& world, const Window& window)
                                                     [&](std::uint32_t a, std::uint32_t b)
                                                     {
                                                       ++its.near_pairs;
-                                                      if (metInFlight(world, window, a, b)) its.met.push_back({a, b});
+                                                      if (metInFlight(world, window, a, b))
+                                                        its.met.push_back({a, b});
+                                                      else if (ahead)
+                                                        noteMeeting(world, window, its, a, b);
                                                     });
                      });
+}
+
+// Whom balls meet that nothing happens to is known.
+void flyOn(WorldState& world, const Window& window)
+{
+  IslandRecords& islands = world.islands;
+  eachBall(world, window,
+           [&](std::size_t i, Window& its)
+           {
+             if (hasEvents(world, i, window.end)) runAlone(world, its, i);
+           });
+  std::vector<std::uint32_t>& bent = islands.near;
+  bent.clear();
+  for (const IslandWork& work : islands.work)
+    for (const std::uint32_t i : work.changed)
+      if (islands.glances[i].bent) bent.push_back(i);
+  for (const std::uint32_t i : bent) islands.broad_phase.add(i, islands.swept[i]);
+  eachOf(bent, world, window, findWhoWasMetBy);
+  takeMeetings(world, window);
+}
+
+Outcome runWindow(WorldState& world, const Window& window)
+{
+  IslandRecords& islands = world.islands;
+  const bool seen_ahead = seesAhead(islands, window.end);
+  begin(world);
+  if (seen_ahead)
+    flyOn(world, window);
+  else
+    flyAnew(world, window);
   for (uniteWhoMet(islands); !islands.islands.empty(); runIslandsOnce(world, window))
   {
     if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
@@ -405,6 +481,7 @@ Outcome runWindow(WorldState& world, const Window& window)
   }
   if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
   takeContacts(world);
+  if (islands.outlook.end > window.end) lookAhead(world, window);
   forgetIslands(world);
   return Outcome::Done;
 }
@@ -420,15 +497,50 @@ void sumUp(WorldState& world)
     world.any_squeezed |= work.any_squeezed;
   }
 }
+// Windows share what is left of the tick.
+double endInTick(const IslandRecords& islands, double start, double end)
+{
+  const double windows = std::ceil(kShare * (end - start) / islands.length.next());
+  return windows > 1.0 ? start + (end - start) / windows : end;
+}
+
+// Where windows are short because ticks are, one looks ahead: but not if someone changes balls or paddles in every tick.
+double endOfOutlook(const IslandRecords& islands, double start, double window_end, double tick)
+{
+  if (seesAhead(islands, window_end)) return islands.outlook.end;
+  const bool ahead = islands.glances.known() && islands.length.next() >= kTicksAhead * tick;
+  return ahead ? start + islands.length.next() : window_end;
+}
+
+// If the outlook does not hold for another window like this one, it ends here. Whether its length was right is known then.
+void endOutlook(WorldState& world, const Window& window)
+{
+  IslandRecords& islands = world.islands;
+  Outlook& outlook = islands.outlook;
+  for (const IslandWork& work : islands.work)
+  {
+    outlook.near_pairs += work.near_pairs;
+    outlook.pair_searches += work.pair_searches;
+    outlook.events += work.status.events;
+  }
+  const bool cut = window.outlook > window.end && outlook.end <= window.end;
+  if (outlook.end - window.end > 0.999 * (window.end - window.start)) return;
+  const double n = static_cast<double>(world.balls.size());
+  const double length = window.end - outlook.start;
+  if (cut) islands.length.cutTo(length);
+  const auto byBall = [n](std::size_t count) { return static_cast<double>(count) / n; };
+  islands.length.done(length, {byBall(outlook.near_pairs), byBall(outlook.pair_searches), byBall(outlook.events)});
+  outlook.end = window.end;
+}
 }  // namespace
 
 void runIslands(WorldState& world, double end)
 {
   IslandRecords& islands = world.islands;
+  const double tick = end - world.time;
   for (double start = world.time; start < end;)
   {
-    const bool whole = start + 1.5 * islands.length.next() < end;  // else it ends with the tick, whatever its length should be
-    const double window_end = endOfWindow(world, start, whole ? start + islands.length.next() : end);
+    const double window_end = endOfWindow(world, start, endInTick(islands, start, end));
     const std::size_t first_contact = world.contacts.size();
     if (!world.pile.ball.empty())
     {
@@ -436,21 +548,19 @@ void runIslands(WorldState& world, double end)
       joinPile(world, start, window_end);
     }
     const bool all_piled = world.pile.ball.size() == world.balls.size();
-    Outcome outcome = Outcome::Done;
-    double searches = 0.0;
     if (!all_piled)
     {
       Window window;
       window.start = start;
       window.end = window_end;
       window.smooth_until = end;
-      outcome = runWindow(world, window);
+      window.outlook = endOfOutlook(islands, start, window_end, tick);
+      const Outcome outcome = runWindow(world, window);
       sumUp(world);
-      searches = pairSearches(islands) / static_cast<double>(world.balls.size());
+      if (outcome == Outcome::TooLong) islands.length.tooLong(std::min(islands.length.next(), window.outlook - start));
+      if (outcome != Outcome::Done) continue;
+      endOutlook(world, window);
     }
-    if (outcome == Outcome::TooLong) islands.length.tooLong(std::min(islands.length.next(), window_end - start));
-    if (outcome != Outcome::Done) continue;
-    islands.length.done(window_end - start, searches, whole);
     if (!world.pile.ball.empty()) islands.glances.forget();  // some may leave it
     movePile(world, start, window_end, end);
     if (!world.pile.ball.empty())

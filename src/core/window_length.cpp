@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "world_state.h"
 
@@ -9,10 +10,14 @@ namespace ping_pong
 {
 namespace
 {
-// Searches of pairs, by ball and window:
-constexpr double kMany = 2.0;        // halve the window
-constexpr double kFew = 0.7;         // double it
-constexpr double kNobodyNear = 64.0; // times longer, if no two boxes overlapped
+// Work, in shares of what sorting a ball into the grid and looking into cells costs:
+constexpr double kNearWork = 0.4;  // two balls whose boxes overlap
+constexpr double kSearchWork = 1.0;
+constexpr double kEventWork = 7.0;
+
+constexpr double kStep = 1.25;        // between lengths that are compared
+constexpr double kCut = 0.5;          // as much shorter than it should have been tells nothing of a length
+constexpr double kNobodyNear = 64.0;  // times longer, if no two boxes overlapped
 
 constexpr double kLongestFirst = 1.0;  // [s]
 constexpr double kLeastRoom = 0.05;    // between neighbours at first, in diameters
@@ -41,20 +46,36 @@ void WindowLength::estimate(const WorldState& world)
   const double room = std::max(spacing - diameter, kLeastRoom * diameter);
   const double time = timeFor(room, std::sqrt(squared_speeds / n), world.scene.forces.gravity.norm());
   length_ = lasted_ = std::clamp(time, kShortest, kLongestFirst);
+  rate_ = std::numeric_limits<double>::infinity();
+  longer_ = true;
 }
 
 // In the middle, in ratios, between what lasted and what did not; half of it at most.
 void WindowLength::tooLong(double tried)
 {
   length_ = std::max(std::min(0.5 * tried, std::sqrt(tried * lasted_)), kShortest);
+  longer_ = false;
+  rate_ = std::numeric_limits<double>::infinity();
 }
 
-void WindowLength::done(double length, double searches, bool as_wished)
+void WindowLength::done(double length, const WindowWork& work)
 {
   lasted_ = length;
-  if (searches > kMany)
-    length_ = std::max(0.5 * std::min(length_, length), kShortest);
-  else if (searches < kFew && (as_wished || length >= length_))
-    length_ *= searches == 0.0 ? kNobodyNear : 2.0;
+  if (length < kCut * length_) return;
+  if (work.near_pairs == 0.0)
+  {
+    length_ *= kNobodyNear;
+    return;
+  }
+  const double rate =
+      (1.0 + kNearWork * work.near_pairs + kSearchWork * work.pair_searches + kEventWork * work.events) / length;
+  if (rate > rate_) longer_ = !longer_;
+  rate_ = rate;
+  length_ = std::max(longer_ ? length_ * kStep : length_ / kStep, kShortest);
+}
+
+void WindowLength::cutTo(double length)
+{
+  lasted_ = length_ = length;
 }
 }  // namespace ping_pong

@@ -1,12 +1,19 @@
-// How long the windows of islands.h are: long ones make large islands, in which each looks at each; short ones cost a search
-// for neighbours each. The rule counts and does not measure, so that a scene goes the same way every time.
+// How long the windows and outlooks of islands.h are: long ones have many balls near each other and make large islands, in which
+// each looks at each; short ones cost a grid each. The work is counted, not timed, so that a scene goes the same way every time:
+// lengths go up while that makes the work of a second less, else down.
 #pragma once
-
-#include <cstddef>
 
 namespace ping_pong
 {
 struct WorldState;
+
+/// What has been done in a window, by ball; what was done in vain counts, too.
+struct WindowWork
+{
+  double near_pairs;     ///< of balls whose boxes overlapped
+  double pair_searches;  ///< in islands
+  double events;
+};
 
 class WindowLength
 {
@@ -21,12 +28,14 @@ public:
   /// A window of this length was not worth its work; nothing of it was done [s].
   void tooLong(double tried);
   /// A window of this length was done [s].
-  /// @param searches  of pairs, by ball
-  /// @param as_wished  the window was not cut short
-  void done(double length, double searches, bool as_wished);
+  void done(double length, const WindowWork& work);
+  /// It had to end after this time, whatever its length should have been [s].
+  void cutTo(double length);
 
 private:
   double length_ = 1.0;
-  double lasted_ = 1.0;  // of the last window that was done
+  double lasted_ = 1.0;       // length of the last window that was done
+  double rate_ = 0.0;    // of its work
+  bool longer_ = true;   // where the search goes
 };
 }  // namespace ping_pong

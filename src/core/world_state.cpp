@@ -63,6 +63,7 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
   for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &last_piece}) takeMemory(*list, balls);
   const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
   for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) takeMemory(*list, meetings);
+  takeMemory(outlook.meetings, meetings);
   takeMemory(order, 256 + 8 * balls);
   work.resize(workers);
   for (std::uint32_t worker = 0; worker < workers; ++worker)
@@ -74,6 +75,7 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     takeMemory(its.members, balls);
     takeMemory(its.crowded, balls);
     takeMemory(its.met, meetings);
+    takeMemory(its.meetings, meetings);
     takeMemory(its.pieces, 2048 + 4 * balls);
     if (worker == 0) continue;  // it writes to the world's lists
     takeMemory(its.contacts, 256 + 8 * balls);

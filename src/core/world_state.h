@@ -6,6 +6,7 @@
 
 #include "broad_phase.h"
 #include "glance.h"
+#include "outlook.h"
 #include "parabola.h"
 #include "pile.h"
 #include "ping_pong_sim/contact.h"
@@ -149,6 +150,7 @@ struct IslandWork : Records
   std::vector<std::size_t> members;   ///< the island at work
   std::vector<std::array<std::uint32_t, 2>> met;  ///< balls that are in each other's way
   std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see handover.h
+  std::vector<Meeting> meetings;      ///< after this window
 };
 
 /// What the exact method keeps from window to window, see islands.h. Lists by ball but for `swept` are written for those that
@@ -166,7 +168,7 @@ struct IslandRecords
   IslandWork& workOf(std::uint32_t entry) { return work[entry >> kIndexBits]; }
   const IslandWork& workOf(std::uint32_t entry) const { return work[entry >> kIndexBits]; }
   static std::uint32_t indexOf(std::uint32_t entry) { return entry & ((1u << kIndexBits) - 1u); }
-  BallRecord& saved(std::uint32_t entry) { return workOf(entry).saved[indexOf(entry)]; }
+  const BallRecord& saved(std::uint32_t entry) const { return workOf(entry).saved[indexOf(entry)]; }
   const IslandWork::Piece& piece(std::uint32_t entry) const { return workOf(entry).pieces[indexOf(entry)]; }
 
   /// Of a contact in the order of a window's contacts.
@@ -182,11 +184,12 @@ struct IslandRecords
   };
 
   WindowLength length;                     ///< of the next window
+  Outlook outlook;
   std::size_t first_contact = 0;           ///< of this window, in the world's list
   std::uint32_t runs = 0;                  ///< of all islands that are not settled, in this window
   Glances glances;                         ///< of each ball
   BroadPhase broad_phase;                  ///< of what each ball would sweep if no other were there
-  std::vector<CoarseBox> swept;            ///< by each ball in this window
+  std::vector<CoarseBox> swept;            ///< by each ball in this window and what is left of its outlook
   std::vector<IslandWork> work;            ///< of each worker
   std::vector<std::uint32_t> saved_at;     ///< entry in `saved` of a worker, by ball
   std::vector<std::uint32_t> root;         ///< union-find over balls; the least index of an island is its root

@@ -221,8 +221,8 @@ TEST(Allocations, NoneFromTheFirstTickOnInAnyMethod)
       EXPECT_EQ(allocationsOf(what, method), std::vector<long>(100)) << what.title << ", " << name(method);
 }
 
-// A tick of a second in a crowd has more impacts than there is room for at the start: 256, and 8 for each of 50 balls. The records grow with the busiest
-// tick so far, so none is asserted from the second run of the same second on.
+// A tick of a second in a crowd has more impacts than there is room for at the start: 256, and 8 for each of 50 balls. The
+// records grow with the busiest tick so far, so none is asserted from the second run of the same second on.
 TEST(Allocations, RecordsOfABusyTickKeepTheirMemory)
 {
   for (const Method method : kMethods)

@@ -306,7 +306,7 @@ TEST(Islands, TheSameBitsInWindowsOfAnyLength)
     Scene scene = room(cloud(4, 0.12, 2), 0.3).gravity(kG).restitution(0.9).build();
     scene.forces.drag = scene.forces.magnus = air;
     std::vector<Vector3d> first;
-    for (const int ticks : {1, 7, 500})
+    for (const int ticks : {1, 7, 500, 4000})
     {
       World world(scene);
       std::size_t hits = 0;
@@ -322,6 +322,88 @@ TEST(Islands, TheSameBitsInWindowsOfAnyLength)
       if (first.empty()) first = now;
       EXPECT_EQ(now, first) << ticks << " ticks, air: " << air;
     }
+  }
+}
+
+double deepestOverlap(const World& world)
+{
+  double deepest = 0.0;
+  for (std::size_t a = 0; a < world.ballCount(); ++a)
+    for (std::size_t b = a + 1; b < world.ballCount(); ++b)
+      deepest = std::max(deepest, 2.0 * kR - (positionOf(world, a) - positionOf(world, b)).norm());
+  return deepest;
+}
+
+// In short ticks one looks ahead; what somebody changes in between may not be overlooked.
+class Meddler
+{
+public:
+  explicit Meddler(World& world) : world_(world) {}
+
+  // Every call does something else, to others.
+  void meddle()
+  {
+    const BallId id = world_.ballId(static_cast<std::size_t>(7 * calls_) % world_.ballCount());
+    BallState state = world_.ballState(world_.findBall(id));
+    state.v_WB = -2.0 * state.v_WB;
+    switch (calls_++ % 4)
+    {
+      case 0:
+        EXPECT_TRUE(world_.setBallState(id, state).reason.empty());
+        break;
+      case 1:
+        EXPECT_TRUE(world_.deleteBall(id).reason.empty());
+        EXPECT_TRUE(world_.spawnBall(BallParams(), state).reason.empty());
+        break;
+      case 2:
+        EXPECT_TRUE(world_.setBodyPose(0, at(world_.bodyPose(0).p - Vector3d(0.05, 0, 0))).reason.empty());
+        break;
+      default:
+        EXPECT_TRUE(world_.setBodyPose(0, at(world_.bodyPose(0).p + Vector3d(0.05, 0, 0))).reason.empty());
+    }
+  }
+
+private:
+  World& world_;
+  int calls_ = 0;
+};
+
+TEST(Islands, ShortTicksOverlookNothingThatIsChangedInBetween)
+{
+  std::vector<Vector3d> first;
+  for (const int ticks : {1, 64})
+  {
+    World world = room(cloud(6, 0.09, 5), 0.3).gravity(kG).world();
+    Meddler meddler(world);
+    std::size_t hits = 0;
+    for (int i = 0; i < 24; ++i)
+    {
+      for (int k = 0; k < ticks; ++k) hits += world.advance(std::ldexp(1.0, -5) / ticks).contacts;
+      EXPECT_LE(deepestOverlap(world), 1e-12);
+      meddler.meddle();
+    }
+    EXPECT_GT(hits, 2000u);
+    std::vector<Vector3d> now;
+    for (std::size_t i = 0; i < world.ballCount(); ++i) now.push_back(positionOf(world, i));
+    if (first.empty()) first = now;
+    EXPECT_EQ(now, first) << ticks << " ticks";
+  }
+}
+
+// Far from each other balls leave the place where the grid has them before they meet.
+TEST(Islands, TheSameBitsInShortTicksOfADiluteGas)
+{
+  std::vector<Vector3d> first;
+  for (const int ticks : {1024, 65536})
+  {
+    World world = room(cloud(8, 0.25, 6), 1.0).world();
+    std::size_t hits = 0;
+    for (int i = 0; i < ticks; ++i) hits += world.advance(64.0 / ticks).contacts;
+    EXPECT_GT(hits, 5000u);
+    std::vector<Vector3d> now;
+    for (std::size_t i = 0; i < world.ballCount(); ++i) now.push_back(positionOf(world, i));
+    if (first.empty()) first = now;
+    EXPECT_EQ(now, first) << ticks << " ticks";
   }
 }
 
@@ -350,9 +432,7 @@ TEST(Islands, NoOverlapAndNoLossOfEnergyInACrowd)
   for (int i = 0; i < 50; ++i)
   {
     hits += world.advance(0.01).contacts;
-    for (std::size_t a = 0; a < world.ballCount(); ++a)
-      for (std::size_t b = a + 1; b < world.ballCount(); ++b)
-        deepest = std::max(deepest, 2.0 * kR - (positionOf(world, a) - positionOf(world, b)).norm());
+    deepest = std::max(deepest, deepestOverlap(world));
   }
   measured("crowd of 512: hits", static_cast<double>(hits));
   measured("deepest overlap of two balls at the ends of ticks [m]", deepest);

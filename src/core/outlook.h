@@ -1,0 +1,50 @@
+// Looking further ahead than a window: where ticks are short, the grid and the pairs of balls that may meet are found once for
+// several windows. In between only those are looked at whose path changes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "box.h"
+
+namespace ping_pong
+{
+struct BallRecord;
+struct WorldState;
+struct Window;
+struct IslandWork;
+
+/// Two balls meet at this time if neither changes its path before.
+struct Meeting
+{
+  float time;                                  ///< no later than that [s]
+  std::uint32_t first, second;                 ///< indices of balls
+  std::uint32_t first_version, second_version; ///< of their paths
+
+  bool operator<(const Meeting& other) const { return time > other.time; }  // the earliest is on top of a heap
+};
+
+struct Outlook
+{
+  double start = 0.0, end = 0.0;   ///< [s]
+  std::vector<Meeting> meetings;   ///< a heap
+  std::size_t changes = 0;         ///< of balls' paths since it began
+  std::size_t near_pairs = 0, pair_searches = 0, events = 0;  ///< since it began
+};
+
+/// Contains the ball on the path that it is on, from `from` on, until `to` or the end of the path.
+Box boxAhead(const BallRecord& ball, double from, double to);
+
+/// Forgets what has been foreseen; whom balls meet from the start of this window to the end of its outlook will be noted.
+void beginOutlook(WorldState& world, const Window& window);
+
+/// Notes that balls i and k, on the paths that they are on, meet between the end of this window and the end of its outlook, if so.
+void noteMeeting(const WorldState& world, const Window& window, IslandWork& work, std::uint32_t i, std::uint32_t k);
+
+/// Those who meet in this window on the paths that they are on are noted as having met.
+void takeMeetings(WorldState& world, const Window& window);
+
+/// At the end of a window: looks for meetings of all balls that have changed in it, and notes what they sweep from then on.
+void lookAhead(WorldState& world, const Window& window);
+}  // namespace ping_pong
