@@ -11,8 +11,7 @@ namespace ping_pong
 {
 namespace
 {
-// By ball and window: searches of pairs that are not worth it, see WindowLength.
-constexpr double kTooManySearches = 4.0;
+constexpr double kTooManySearches = 4.0;  // of pairs, by ball: a window that needs more is given up
 
 constexpr double kTicksAhead = 3.0;  // that are worth an outlook
 constexpr double kShare = 0.8;       // of the windows that would fit into a tick: rather a bit longer than one more
@@ -497,6 +496,7 @@ void sumUp(WorldState& world)
     world.any_squeezed |= work.any_squeezed;
   }
 }
+
 // Windows share what is left of the tick.
 double endInTick(const IslandRecords& islands, double start, double end)
 {

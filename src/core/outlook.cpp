@@ -9,7 +9,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::size_t kBalls = 64;  // that a worker takes at a time
+constexpr std::size_t kBalls = 64;     // that a worker takes at a time
 constexpr double kMostChanges = 0.25;  // by ball: then it is time for a new grid
 
 bool unchanged(const WorldState& world, const Meeting& meeting)
