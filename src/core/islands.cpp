@@ -239,17 +239,17 @@ void runIsland(WorldState& world, Window window, std::uint32_t root)
   for (const std::size_t i : members) noteLast(world, window, i);
 }
 
+// Outside of its island.
 void findWhoWasMetBy(WorldState& world, const Window& window, std::uint32_t i)
 {
-  IslandRecords& islands = world.islands;
-  const auto lookAt = [&](std::uint32_t k)
-  {
-    if (islands.root[k] == islands.root[i] || !islands.swept[k].overlaps(islands.swept[i])) return;
-    ++window.work->near_pairs;
-    if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
-  };
-  islands.broad_phase.eachOverlapping(islands.swept[i], islands.swept, lookAt);
-  islands.broad_phase.eachAdded(islands.swept[i], lookAt);
+  const IslandRecords& islands = world.islands;
+  islands.eachNear(i,
+                   [&](std::uint32_t k)
+                   {
+                     if (islands.root[k] == islands.root[i]) return;
+                     ++window.work->near_pairs;
+                     if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
+                   });
 }
 
 // Balls that were thrown off their path may come into the way of balls outside, islands of the same run among them.

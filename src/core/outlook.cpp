@@ -33,18 +33,16 @@ void gather(IslandRecords& islands)
   }
 }
 
-void lookAround(WorldState& world, const Window& window, IslandWork& work, std::uint32_t i)
+void lookAround(const WorldState& world, const Window& window, IslandWork& work, std::uint32_t i)
 {
   const IslandRecords& islands = world.islands;
-  const auto lookAt = [&](std::uint32_t k)
-  {
-    if (k == i || !islands.swept[k].overlaps(islands.swept[i])) return;
-    if (k < i && islands.saved_at[k] != IslandRecords::kNoEntry) return;  // it looks for this one
-    ++work.near_pairs;
-    noteMeeting(world, window, work, i, k);
-  };
-  islands.broad_phase.eachOverlapping(islands.swept[i], islands.swept, lookAt);
-  islands.broad_phase.eachAdded(islands.swept[i], lookAt);
+  islands.eachNear(i,
+                   [&](std::uint32_t k)
+                   {
+                     if (k < i && islands.saved_at[k] != IslandRecords::kNoEntry) return;  // it looks for this one
+                     ++work.near_pairs;
+                     noteMeeting(world, window, work, i, k);
+                   });
 }
 }  // namespace
 

@@ -202,6 +202,18 @@ struct IslandRecords
 
   /// Takes the memory for so many balls now, not while the world moves on.
   void reserve(std::size_t balls, std::size_t workers);
+
+  /// Calls action(k) for every other ball k whose box overlaps that of ball i; for some twice.
+  template <class Action>
+  void eachNear(std::uint32_t i, const Action& action) const
+  {
+    const auto lookAt = [&](std::uint32_t k)
+    {
+      if (k != i && swept[k].overlaps(swept[i])) action(k);
+    };
+    broad_phase.eachOverlapping(swept[i], swept, lookAt);
+    broad_phase.eachAdded(swept[i], lookAt);
+  }
 };
 
 struct WorldState : Records

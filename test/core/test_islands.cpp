@@ -277,6 +277,13 @@ SceneBuilder room(const std::vector<Particle>& particles, double half)
   return builder;
 }
 
+std::vector<Vector3d> positions(const World& world)
+{
+  std::vector<Vector3d> all;
+  for (std::size_t i = 0; i < world.ballCount(); ++i) all.push_back(positionOf(world, i));
+  return all;
+}
+
 TEST(Islands, AGasGoesAsTheListOfAllEvents)
 {
   constexpr double kHalf = 0.3, kDuration = 0.25;
@@ -317,8 +324,7 @@ TEST(Islands, TheSameBitsInWindowsOfAnyLength)
         hits += world.advance(end - world.time()).contacts;
       }
       EXPECT_GT(hits, 200u);
-      std::vector<Vector3d> now;
-      for (std::size_t i = 0; i < world.ballCount(); ++i) now.push_back(positionOf(world, i));
+      const std::vector<Vector3d> now = positions(world);
       if (first.empty()) first = now;
       EXPECT_EQ(now, first) << ticks << " ticks, air: " << air;
     }
@@ -383,8 +389,7 @@ TEST(Islands, ShortTicksOverlookNothingThatIsChangedInBetween)
       meddler.meddle();
     }
     EXPECT_GT(hits, 2000u);
-    std::vector<Vector3d> now;
-    for (std::size_t i = 0; i < world.ballCount(); ++i) now.push_back(positionOf(world, i));
+    const std::vector<Vector3d> now = positions(world);
     if (first.empty()) first = now;
     EXPECT_EQ(now, first) << ticks << " ticks";
   }
@@ -400,8 +405,7 @@ TEST(Islands, TheSameBitsInShortTicksOfADiluteGas)
     std::size_t hits = 0;
     for (int i = 0; i < ticks; ++i) hits += world.advance(64.0 / ticks).contacts;
     EXPECT_GT(hits, 5000u);
-    std::vector<Vector3d> now;
-    for (std::size_t i = 0; i < world.ballCount(); ++i) now.push_back(positionOf(world, i));
+    const std::vector<Vector3d> now = positions(world);
     if (first.empty()) first = now;
     EXPECT_EQ(now, first) << ticks << " ticks";
   }
