@@ -82,8 +82,9 @@ void letGoWhoIsFree(WorldState& world, double t, double smooth_until)
   if (pile.steps % kLetGoEvery != 0) return;
   std::vector<std::uint32_t>& free = world.islands.near;
   free.clear();
-  for (const std::uint32_t slot : pile.awake)
-    if (pile.untouched[slot] > kFreeFor && roomAround(pile, slot)) free.push_back(pile.ball[slot]);
+  for (const PileShare& share : pile.shares)
+    for (const std::uint32_t slot : share.awake)
+      if (pile.untouched[slot] > kFreeFor && roomAround(pile, slot)) free.push_back(pile.ball[slot]);
   for (const std::uint32_t ball : free) leavePile(world, ball, t, smooth_until);
 }
 }  // namespace
@@ -114,7 +115,7 @@ void passOn(WorldState& world, const std::vector<std::uint32_t>& balls, double t
 double endOfWindow(const WorldState& world, double start, double end)
 {
   const Pile& pile = world.pile;
-  if (pile.ball.empty() || (pile.awake.empty() && !pile.active_void)) return end;
+  if (pile.ball.empty() || !pile.anyAwake()) return end;
   const double step = stepOf(world);
   return start + 1.5 * step < end ? start + step : end;
 }

@@ -1,8 +1,7 @@
 // Balls that are stepped together with the contact solver of method `impulse`: what it keeps of them, as compact records.
 //
-// Everything is done in the order of these lists, which follows from the states alone: the same bits on every run. Threads can
-// keep them: balls, searches and links are independent of each other, and the solver's list of touches can be coloured in its
-// order each time the links are built, so that touches of one colour share no ball.
+// Everything is done in the order of these lists, which follows from the states alone: the same bits on every run, with any
+// number of threads. What they share is a pile cut into slabs, see pile_shares.h.
 #pragma once
 
 #include <array>
@@ -128,6 +127,28 @@ struct ImpactAhead
   std::uint32_t made;         ///< on the counter of the pile
 };
 
+/// A slab of the pile: its balls, the links of which it has the first ball, and what a step notes of them. Lists of links are
+/// in the order of their indices.
+struct PileShare
+{
+  std::vector<std::uint32_t> balls, awake;                 ///< slots: all, and those awake
+  std::vector<std::uint32_t> pairs, bodies;                ///< links
+  std::vector<std::uint32_t> active_pairs, active_bodies;  ///< those with an end that is awake
+  std::vector<Touch> touches;
+  std::vector<BodyTouch> body_touches;
+  std::vector<float> held;               ///< of each touch, see KeptPair
+  std::vector<KeptPair> kept;            ///< of links with an end that is awake
+  std::vector<KeptPair> kept_asleep;     ///< of the others
+  std::vector<KeptPair> all_kept;        ///< scratch
+  std::vector<ImpactAhead> ahead;        ///< found by a look at all links
+  std::vector<std::uint32_t> leaving;    ///< slots of balls that leave the way that their links cover
+  std::vector<std::uint32_t> waking;     ///< slots to wake up at the end of the step
+  std::uint32_t squeezed = 0;            ///< balls deep in a body at the start of this step
+  std::uint32_t changed = 0;             ///< when a sweep last changed something here, on the counter of the pile
+  bool active_void = false;              ///< somebody fell asleep or woke up
+  bool not_finite = false;               ///< in this step
+};
+
 /// Cells of a uniform grid with the balls in each, by the boxes that they may sweep.
 struct PileGrid
 {
@@ -153,6 +174,7 @@ struct PileGrid
 struct Pile
 {
   static constexpr std::uint32_t kEndOfChain = ~0u;
+  static constexpr std::size_t kMostSlabs = 16;
 
   // One for each ball ("slot").
   std::vector<std::uint32_t> ball;      ///< its index in WorldState::balls
@@ -171,31 +193,25 @@ struct Pile
   std::vector<PairLink> pairs;
   std::vector<BodyLink> bodies;         ///< with still bodies
   std::vector<BodyLink> moving;         ///< with moving bodies, for this step
-  std::vector<std::uint32_t> awake;     ///< slots
-  std::vector<std::uint32_t> active_pairs, active_bodies;  ///< links with an end that is awake
-  std::vector<Touch> touches;
-  std::vector<BodyTouch> body_touches;
-  std::vector<KeptPair> kept;           ///< by link, of links with an end that is awake
-  std::vector<KeptPair> kept_asleep;    ///< by link, of the others
-  std::vector<KeptPair> all_kept;       ///< scratch
-  std::vector<float> held;              ///< of each touch, see KeptPair
-  std::vector<std::uint32_t> waking;    ///< slots to wake up at the end of the step
+  std::array<PileShare, kMostSlabs + 1> shares;  ///< slabs; the last one has the links that go farther
+  std::size_t slabs = 1;
+  std::vector<std::uint8_t> share_of;   ///< slab of each ball, since the links were built
   std::vector<std::uint32_t> first_link;  ///< of each ball, the beginning of the chain of its links in `pairs`
   std::vector<std::uint32_t> first_body;  ///< the same in `bodies`
   std::vector<ImpactAhead> ahead;         ///< heap, the next one on top
   std::vector<KeptBalls> old_kept;
   std::vector<BodyLink> old_bodies;
+  std::vector<std::uint32_t> old_slot, new_slot;  ///< scratch
   PileGrid grid;
+  std::array<std::vector<PairLink>, kMostSlabs> found;  ///< links of a part of the grid each
   float margin = 0.0f;                  ///< of the links [m]
   std::uint32_t counter = 1;            ///< goes up with every impact and every sweep over touches
   std::uint32_t steps = 0;
   std::uint32_t step_mark = 0;          ///< the counter at the start of the step
   unsigned body_versions = 0;           ///< sum, when the links were built
   bool links_void = true;
-  bool active_void = true;
   double h = 0.0;                       ///< length of the step [s]
   double start = 0.0;                   ///< of the step [s]
-  std::size_t squeezed = 0;             ///< balls deep in a body at the start of this step
   double least_impact = 0.0;            ///< of the first impact in a step [m/s]
 
   /// Slower is no impact but a contact [m/s]: after each impact in a step four times as much, or a jam would have no end.
@@ -228,7 +244,11 @@ struct Pile
   }
   const BallParams& params(std::size_t i) const { return kinds[movers[i].kind].params; }
 
+  PileShare& lastShare() { return shares.back(); }
   void wake(std::size_t i);
+  /// Ball i fell asleep or woke up: who is awake in the shares of its links is not known.
+  void voidActive(std::size_t i);
+  bool anyAwake() const;
 };
 
 /// Takes a ball of the world in, at its state then.
@@ -240,7 +260,7 @@ void removeFromPile(Pile& pile, std::uint32_t ball);
 /// Takes over the states of all balls that it has, and wakes them up: bodies or balls have been put elsewhere.
 void disturbPile(WorldState& world);
 /// Takes over the state of a ball that is in the pile, and wakes it up.
-void restatePile(WorldState& world, std::size_t slot);
+void restatePile(WorldState& world, std::uint32_t ball);
 void clearPile(Pile& pile);
 /// Takes the memory for so many balls now, not while the world moves on.
 void reservePile(Pile& pile, std::size_t balls, bool constant_forces);
@@ -264,8 +284,8 @@ void detachKept(Pile& pile);
 void updateLinks(WorldState& world);
 /// The same for two balls that an impact has thrown off their way; true if the links are new.
 bool updateLinksAfterImpact(WorldState& world, std::uint32_t a, std::uint32_t b);
-/// Lists of what is awake, if anybody fell asleep or woke up.
-void updateActive(Pile& pile);
+/// Lists of what is awake, where anybody fell asleep or woke up.
+void updateActive(WorldState& world);
 /// Impacts in the step: located on the paths, resolved one by one, the next one first.
 void resolveImpacts(WorldState& world);
 /// Contacts that carry load: velocities such that nothing is pressed into another, with friction.

@@ -17,7 +17,7 @@ namespace
 {
 using Eigen::Vector4f;
 
-constexpr int kMostIterations = 8;
+constexpr int kMostVisits = 4;           // of a slab, each a sweep forwards and one backwards
 constexpr double kGoodEnough = 0.03;    // change of a velocity that is not passed on, in least impacts,
 constexpr double kCreep = 6e-4;         // or less: a pile that creeps faster does not fall asleep [m/s]
 constexpr double kWakingForce = 0.3;    // change of a force on a sleeping ball that wakes it up: so much of its weight,
@@ -32,26 +32,20 @@ Vector3d kick(const Pile& pile, std::size_t i)
   return (0.5 * halves * pile.h) * pile.flightAcceleration(i);
 }
 
-void clearChanges(Pile& pile)
+// What acts before the contacts.
+void startContacts(Pile& pile, PileShare& share)
 {
-  for (const std::uint32_t i : pile.awake)
+  share.touches.clear();
+  share.held.clear();
+  share.body_touches.clear();
+  share.waking.clear();
+  for (const std::uint32_t i : share.awake)
   {
-    const BallKind& kind = pile.kinds[pile.movers[i].kind];
-    Change& change = pile.changes[i];
-    change.v.setZero();
-    change.rim.setZero();
-    change.per_impulse = static_cast<float>(kind.inverse_mass);
-    change.rim_per_impulse = static_cast<float>(kind.inverse_mass / kind.params.inertia);
-  }
-}
-
-void takeChanges(Pile& pile)
-{
-  for (const std::uint32_t i : pile.awake)
-  {
-    const Change& change = pile.changes[i];
-    pile.movers[i].v += change.v.head<3>().cast<double>();
-    pile.w[i] += change.rim.head<3>().cast<double>() / pile.radius(i);
+    Mover& mover = pile.movers[i];
+    mover.was_loaded = mover.loaded;
+    mover.v += kick(pile, i);
+    pile.changes[i].fast = static_cast<float>(mover.v.norm());
+    clearChange(pile, i);
   }
 }
 
@@ -124,7 +118,7 @@ bool solvePair(Change& a, Change& b, Touch& touch, float small)
   return square * lighter * lighter > small;
 }
 
-void warmStart(Pile& pile)
+void warmStart(Pile& pile, PileShare& share)
 {
   const auto start = [&pile](Touch& touch, bool pair) {
     if (touch.normal == 0.0f) return;
@@ -138,37 +132,76 @@ void warmStart(Pile& pile)
     b.v -= b.per_impulse * all;
     b.rim -= b.rim_per_impulse * turn;
   };
-  for (BodyTouch& touch : pile.body_touches) start(touch, false);
-  for (Touch& touch : pile.touches) start(touch, true);
+  for (BodyTouch& touch : share.body_touches) start(touch, false);
+  for (Touch& touch : share.touches) start(touch, true);
 }
 
-// Every touch once; then those of balls that changed, forwards and backwards in turn, until nothing changes any more.
-void iterate(Pile& pile)
+// A sweep over the touches of a slab, those left out whose balls have not changed.
+struct Sweep
 {
-  const float least = static_cast<float>(std::min(kGoodEnough * pile.least_impact, kCreep)), small = least * least;
-  std::uint32_t since = 0;
-  for (int iteration = 0; iteration < kMostIterations; ++iteration)
+  std::uint32_t since;  // on the counter of the pile: changes that touches do not know
+  std::uint32_t now;
+  float small;          // square of a change of a velocity that is not passed on [m^2/s^2]
+};
+
+void sweep(Pile& pile, PileShare& share, const Sweep& it, bool forwards)
+{
+  for (BodyTouch& touch : share.body_touches)
   {
-    const std::uint32_t now = ++pile.counter;
-    bool any = false;
-    const auto pair = [&](Touch& touch) {
-      Change &a = pile.changes[touch.a], &b = pile.changes[touch.b];
-      if ((a.sweep < since && b.sweep < since) || !solvePair(a, b, touch, small)) return;
-      a.sweep = b.sweep = now;
-      any = true;
-    };
-    for (BodyTouch& touch : pile.body_touches)
-    {
-      if (pile.changes[touch.a].sweep < since || !solveBody(pile, touch, small)) continue;
-      pile.changes[touch.a].sweep = now;
-      any = true;
-    }
-    if (iteration % 2 == 0)
-      std::for_each(pile.touches.begin(), pile.touches.end(), pair);
-    else
-      std::for_each(pile.touches.rbegin(), pile.touches.rend(), pair);
-    if (!any) break;
-    since = now;
+    if (pile.changes[touch.a].sweep < it.since || !solveBody(pile, touch, it.small)) continue;
+    pile.changes[touch.a].sweep = share.changed = it.now;
+  }
+  const auto pair = [&](Touch& touch) {
+    Change &a = pile.changes[touch.a], &b = pile.changes[touch.b];
+    if ((a.sweep < it.since && b.sweep < it.since) || !solvePair(a, b, touch, it.small)) return;
+    a.sweep = b.sweep = share.changed = it.now;
+  };
+  if (forwards)
+    std::for_each(share.touches.begin(), share.touches.end(), pair);
+  else
+    std::for_each(share.touches.rbegin(), share.touches.rend(), pair);
+}
+
+// Nobody who writes to a ball of this share has changed any. (Those who do are not at work at the same time.)
+bool quiet(const Pile& pile, const PileShare& share, std::uint32_t since)
+{
+  const std::size_t s = static_cast<std::size_t>(&share - pile.shares.data());
+  if (s >= pile.slabs) return false;
+  return share.changed < since && pile.shares.back().changed < since && (s == 0 || pile.shares[s - 1].changed < since) &&
+         (s + 1 == pile.slabs || pile.shares[s + 1].changed < since);
+}
+
+// Slabs are visited in turns, until nothing changes any more. Each visit is two sweeps: the second one finds what it reads
+// still in the cache.
+void iterate(WorldState& world)
+{
+  Pile& pile = world.pile;
+  const float least = static_cast<float>(std::min(kGoodEnough * pile.least_impact, kCreep)), small = least * least;
+  std::uint32_t before = 0;
+  for (int visit = 0; visit < kMostVisits; ++visit)
+  {
+    const std::uint32_t now = pile.counter + 1;
+    pile.counter += 2;
+    inTurns(world,
+            [&](PileShare& share)
+            {
+              if (quiet(pile, share, before)) return;
+              sweep(pile, share, {before, now, small}, true);
+              sweep(pile, share, {now, now + 1, small}, false);
+            });
+    if (std::none_of(pile.shares.begin(), pile.shares.end(), [&](const PileShare& share) { return share.changed >= now; })) break;
+    before = now;
+  }
+}
+
+void takeChanges(Pile& pile, const PileShare& share)
+{
+  for (const std::uint32_t i : share.awake)
+  {
+    const Change& change = pile.changes[i];
+    pile.movers[i].v += change.v.head<3>().cast<double>();
+    pile.movers[i].loaded = false;
+    pile.w[i] += change.rim.head<3>().cast<double>() / pile.radius(i);
   }
 }
 
@@ -202,20 +235,19 @@ void resist(WorldState& world, const BodyTouch& touch)
 Push pushOf(const Touch& touch) { return {touch.normal, touch.tangent.head<3>()}; }
 
 // For the next step, and to tell whom something carries.
-void keepPushes(Pile& pile)
+void keepPushes(Pile& pile, PileShare& share)
 {
-  for (const std::uint32_t i : pile.awake) pile.movers[i].loaded = false;
-  for (const BodyTouch& touch : pile.body_touches)
+  for (const BodyTouch& touch : share.body_touches)
   {
     if (!touch.moving) pile.bodies[touch.link].push = pushOf(touch);
     if (touch.normal > 0.0f) pile.movers[touch.a].loaded = true;
   }
-  pile.kept.clear();
-  for (std::size_t k = 0; k < pile.touches.size(); ++k)
+  share.kept.clear();
+  for (std::size_t k = 0; k < share.touches.size(); ++k)
   {
-    const Touch& touch = pile.touches[k];
-    pile.kept.push_back({touch.link, pushOf(touch), pile.held[k]});
-    if (pile.held[k] >= 0.0f) watch(pile, pile.pairs[touch.link], touch.normal, pile.held[k]);
+    const Touch& touch = share.touches[k];
+    share.kept.push_back({touch.link, pushOf(touch), share.held[k]});
+    if (share.held[k] >= 0.0f) watch(pile, share, pile.pairs[touch.link], touch.normal, share.held[k]);
     if (touch.normal == 0.0f) continue;
     pile.untouched[touch.a] = pile.untouched[touch.b] = 0.0f;
     for (const std::uint32_t i : {touch.a, touch.b})
@@ -224,31 +256,37 @@ void keepPushes(Pile& pile)
 }
 }  // namespace
 
-void watch(Pile& pile, const PairLink& link, float normal, float held)
+void clearChange(Pile& pile, std::uint32_t i)
+{
+  const BallKind& kind = pile.kinds[pile.movers[i].kind];
+  Change& change = pile.changes[i];
+  change.v.setZero();
+  change.rim.setZero();
+  change.per_impulse = static_cast<float>(kind.inverse_mass);
+  change.rim_per_impulse = static_cast<float>(kind.inverse_mass / kind.params.inertia);
+}
+
+void watch(Pile& pile, PileShare& share, const PairLink& link, float normal, float held)
 {
   const std::uint32_t sleeper = pile.movers[link.a].asleep ? link.a : link.b;
   const float force = normal / static_cast<float>(pile.h);
   const double weight = pile.params(sleeper).mass * pile.flightAcceleration(sleeper).norm();
-  if (std::abs(force - held) > std::max(kWakingForce * weight, kWakingPart * static_cast<double>(held))) pile.waking.push_back(sleeper);
+  if (std::abs(force - held) > std::max(kWakingForce * weight, kWakingPart * static_cast<double>(held))) share.waking.push_back(sleeper);
 }
 
 void solveContacts(WorldState& world)
 {
   Pile& pile = world.pile;
-  for (const std::uint32_t i : pile.awake)
-  {
-    Mover& mover = pile.movers[i];
-    mover.was_loaded = mover.loaded;
-    mover.v += kick(pile, i);
-    pile.changes[i].fast = static_cast<float>(mover.v.norm());
-  }
-  pile.waking.clear();
+  eachShare(world, [&pile](PileShare& share) { startContacts(pile, share); });
   gatherTouches(world);
-  clearChanges(pile);
-  warmStart(pile);
-  iterate(pile);
-  takeChanges(pile);
-  for (const BodyTouch& touch : pile.body_touches) resist(world, touch);
-  keepPushes(pile);
+  inTurns(world, [&pile](PileShare& share) { warmStart(pile, share); });
+  iterate(world);
+  eachShare(world,
+            [&](PileShare& share)
+            {
+              takeChanges(pile, share);
+              for (const BodyTouch& touch : share.body_touches) resist(world, touch);
+            });
+  inTurns(world, [&pile](PileShare& share) { keepPushes(pile, share); });
 }
 }  // namespace ping_pong

@@ -50,7 +50,7 @@ float heldBy(const Pile& pile, const PairLink& link, const KeptPair& kept)
   return kept.held < 0.0f ? kept.push.normal / static_cast<float>(pile.h) : kept.held;
 }
 
-void gatherPair(WorldState& world, std::uint32_t l, const KeptPair& kept)
+void gatherPair(WorldState& world, PileShare& share, std::uint32_t l, const KeptPair& kept)
 {
   Pile& pile = world.pile;
   const PairLink& link = pile.pairs[l];
@@ -62,7 +62,7 @@ void gatherPair(WorldState& world, std::uint32_t l, const KeptPair& kept)
   const double most = reach + reachOf(pile) + kCaught * pile.h * static_cast<double>(pile.changes[link.a].fast + pile.changes[link.b].fast);
   if (d_end.squaredNorm() > most * most)
   {
-    if (a.asleep != b.asleep) watch(pile, link, 0.0f, heldBy(pile, link, kept));
+    if (a.asleep != b.asleep) watch(pile, share, link, 0.0f, heldBy(pile, link, kept));
     return;
   }
   const double distance = d_end.norm();
@@ -77,8 +77,8 @@ void gatherPair(WorldState& world, std::uint32_t l, const KeptPair& kept)
     a.p += (out * inverse_a * mass) * n;
     b.p -= (out * inverse_b * mass) * n;
   }
-  pile.held.push_back(heldBy(pile, link, kept));
-  Touch& touch = pile.touches.emplace_back();
+  share.held.push_back(heldBy(pile, link, kept));
+  Touch& touch = share.touches.emplace_back();
   touch.n = flat(n);
   take(touch, gap_at_start < -kForgets ? Push() : kept.push);
   touch.slip = slip(u, n, kind_a.params.radius * pile.w[link.a] + kind_b.params.radius * pile.w[link.b]);
@@ -91,7 +91,7 @@ void gatherPair(WorldState& world, std::uint32_t l, const KeptPair& kept)
   touch.b = link.b;
 }
 
-void gatherBody(WorldState& world, std::uint32_t l, BodyLink& link)
+void gatherBody(WorldState& world, PileShare& share, std::uint32_t l, BodyLink& link)
 {
   Pile& pile = world.pile;
   const std::uint32_t i = link.ball;
@@ -111,10 +111,14 @@ void gatherBody(WorldState& world, std::uint32_t l, BodyLink& link)
     return;
   }
   const double gap_at_start = hitInThisStep(pile, i) ? 0.0 : gapAt(mover.p, 0.0).gap;
-  if (body.moving) pile.wake(i);
-  pile.squeezed += gap_at_start < -kSqueezed;
+  if (body.moving && mover.asleep)
+  {
+    pile.wake(i);
+    clearChange(pile, i);
+  }
+  share.squeezed += gap_at_start < -kSqueezed;
   mover.p += pushOut(gap_at_start) * gap.n_W;
-  BodyTouch& touch = pile.body_touches.emplace_back();
+  BodyTouch& touch = share.body_touches.emplace_back();
   touch.n = flat(gap.n_W);
   take(touch, gap_at_start < -kForgets ? Push() : link.push);
   touch.target = target(gap.gap, gap_at_start, pile.h);
@@ -130,23 +134,26 @@ void gatherBody(WorldState& world, std::uint32_t l, BodyLink& link)
   touch.link = l;
   touch.a = touch.b = i;
 }
+void gatherShare(WorldState& world, PileShare& share)
+{
+  Pile& pile = world.pile;
+  for (const std::uint32_t l : share.active_bodies) gatherBody(world, share, l, pile.bodies[l]);
+  const KeptPair unknown;
+  auto kept = share.kept.begin();  // both are in the order of links
+  for (const std::uint32_t l : share.active_pairs)
+  {
+    while (kept != share.kept.end() && kept->link < l) ++kept;
+    gatherPair(world, share, l, kept != share.kept.end() && kept->link == l ? *kept : unknown);
+  }
+}
 }  // namespace
 
 void gatherTouches(WorldState& world)
 {
   Pile& pile = world.pile;
-  pile.touches.clear();
-  pile.held.clear();
-  pile.body_touches.clear();
-  for (std::uint32_t l = 0; l < pile.moving.size(); ++l) gatherBody(world, l, pile.moving[l]);
-  updateActive(pile);  // who meets a body that moves is awake
-  for (const std::uint32_t l : pile.active_bodies) gatherBody(world, l, pile.bodies[l]);
-  const KeptPair unknown;
-  auto kept = pile.kept.begin();  // both are in the order of links
-  for (const std::uint32_t l : pile.active_pairs)
-  {
-    while (kept != pile.kept.end() && kept->link < l) ++kept;
-    gatherPair(world, l, kept != pile.kept.end() && kept->link == l ? *kept : unknown);
-  }
+  for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
+    gatherBody(world, pile.shares[pile.share_of[pile.moving[l].ball]], l, pile.moving[l]);
+  updateActive(world);  // who meets a body that moves is awake
+  inTurns(world, [&world](PileShare& share) { gatherShare(world, share); });
 }
 }  // namespace ping_pong

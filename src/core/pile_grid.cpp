@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pile_shares.h"
+
 namespace ping_pong
 {
 namespace
@@ -73,34 +75,51 @@ void sortIntoCells(Pile& pile)
     if (grid.cell[i] != kNoCell) grid.entries[--grid.start[grid.cell[i]]] = entryOf(pile, i);
 }
 
-void link(Pile& pile, const PileGrid::Entry& a, const PileGrid::Entry& b)
+void link(std::vector<PairLink>& pairs, const PileGrid::Entry& a, const PileGrid::Entry& b)
 {
-  if (overlap(a, b)) pile.pairs.push_back({std::min(a.slot, b.slot), std::max(a.slot, b.slot), 0, 0});
+  if (overlap(a, b)) pairs.push_back({std::min(a.slot, b.slot), std::max(a.slot, b.slot), 0, 0});
 }
 
-// Each cell with the half of its neighbours that comes after it; three cells in a row lie side by side.
-void linkCells(Pile& pile)
+// Each cell of some rows with the half of its neighbours that comes after it; three cells in a row lie side by side.
+void linkRows(const PileGrid& grid, int begin, int end, std::vector<PairLink>& pairs)
 {
-  const PileGrid& grid = pile.grid;
   const int nx = grid.count[0], ny = grid.count[1], nz = grid.count[2];
   const auto row = [&](std::uint32_t from, int x0, int x1, int y, int z) {
     if (y < 0 || y >= ny || z >= nz) return;
     const std::size_t line = static_cast<std::size_t>(z * ny + y) * static_cast<std::size_t>(nx);
     const std::uint32_t begin = grid.start[line + static_cast<std::size_t>(std::max(x0, 0))];
     const std::uint32_t end = grid.start[line + static_cast<std::size_t>(std::min(x1, nx - 1)) + 1];
-    for (std::uint32_t other = begin; other < end; ++other) link(pile, grid.entries[from], grid.entries[other]);
+    for (std::uint32_t other = begin; other < end; ++other) link(pairs, grid.entries[from], grid.entries[other]);
   };
-  std::size_t cell = 0;
-  for (int z = 0; z < nz; ++z)
-    for (int y = 0; y < ny; ++y)
-      for (int x = 0; x < nx; ++x, ++cell)
-        for (std::uint32_t i = grid.start[cell]; i < grid.start[cell + 1]; ++i)
-        {
-          for (std::uint32_t k = i + 1; k < grid.start[cell + 1]; ++k) link(pile, grid.entries[i], grid.entries[k]);
-          if (x + 1 < nx) row(i, x + 1, x + 1, y, z);
-          row(i, x - 1, x + 1, y + 1, z);
-          for (int dy = -1; dy <= 1; ++dy) row(i, x - 1, x + 1, y + dy, z + 1);
-        }
+  std::size_t cell = static_cast<std::size_t>(begin) * static_cast<std::size_t>(nx);
+  for (int line = begin; line < end; ++line)
+    for (int x = 0; x < nx; ++x, ++cell)
+      for (std::uint32_t i = grid.start[cell]; i < grid.start[cell + 1]; ++i)
+      {
+        const int y = line % ny, z = line / ny;
+        for (std::uint32_t k = i + 1; k < grid.start[cell + 1]; ++k) link(pairs, grid.entries[i], grid.entries[k]);
+        if (x + 1 < nx) row(i, x + 1, x + 1, y, z);
+        row(i, x - 1, x + 1, y + 1, z);
+        for (int dy = -1; dy <= 1; ++dy) row(i, x - 1, x + 1, y + dy, z + 1);
+      }
+}
+
+// In parts that threads can share: always the same ones, joined in their order.
+void linkCells(Pile& pile, Workers& workers)
+{
+  const PileGrid& grid = pile.grid;
+  const auto parts = static_cast<int>(pile.found.size()), rows = grid.count[1] * grid.count[2];
+  workers.each(pile.found.size(), pile.movers.size() < kPileWorthSharing ? pile.found.size() : 1,
+               [&](std::size_t begin, std::size_t end, std::size_t)
+               {
+                 for (int part = static_cast<int>(begin); part < static_cast<int>(end); ++part)
+                 {
+                   std::vector<PairLink>& found = pile.found[static_cast<std::size_t>(part)];
+                   found.clear();
+                   linkRows(grid, part * rows / parts, (part + 1) * rows / parts, found);
+                 }
+               });
+  for (const std::vector<PairLink>& found : pile.found) pile.pairs.insert(pile.pairs.end(), found.begin(), found.end());
 }
 
 void linkLarge(Pile& pile)
@@ -108,10 +127,10 @@ void linkLarge(Pile& pile)
   const std::vector<PileGrid::Entry>& large = pile.grid.large;
   for (std::size_t i = 0; i < large.size(); ++i)
   {
-    for (std::size_t k = i + 1; k < large.size(); ++k) link(pile, large[i], large[k]);
+    for (std::size_t k = i + 1; k < large.size(); ++k) link(pile.pairs, large[i], large[k]);
     eachCellNear(pile.grid, large[i], [&](std::size_t cell) {
       for (std::uint32_t other = pile.grid.start[cell]; other < pile.grid.start[cell + 1]; ++other)
-        link(pile, large[i], pile.grid.entries[other]);
+        link(pile.pairs, large[i], pile.grid.entries[other]);
     });
   }
 }
@@ -138,11 +157,11 @@ PileGrid::Entry entryOf(const Pile& pile, std::size_t i)
   return entry;
 }
 
-void linkNear(Pile& pile)
+void linkNear(Pile& pile, Workers& workers)
 {
   layOut(pile);
   sortIntoCells(pile);
-  linkCells(pile);
+  linkCells(pile, workers);
   linkLarge(pile);
 }
 }  // namespace ping_pong

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pile.h"
+#include "workers.h"
 
 namespace ping_pong
 {
@@ -10,7 +11,7 @@ float halfEdge(const Pile& pile, std::size_t i, int axis);
 /// That box, and the sphere around the same way.
 PileGrid::Entry entryOf(const Pile& pile, std::size_t i);
 /// Sorts all balls into the grid and links those whose ways come near each other; chains come later.
-void linkNear(Pile& pile);
+void linkNear(Pile& pile, Workers& workers);
 
 inline bool overlap(const PileGrid::Entry& a, const PileGrid::Entry& b)
 {

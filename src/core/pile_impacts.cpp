@@ -5,8 +5,8 @@
 
 #include "count.h"
 #include "pile_ahead.h"
+#include "pile_shares.h"
 #include "ping_pong_sim/resolve.h"
-#include "world_state.h"
 
 namespace ping_pong
 {
@@ -116,50 +116,60 @@ bool later(const ImpactAhead& p, const ImpactAhead& q)
   return p.time != q.time ? p.time > q.time : p.link > q.link;
 }
 
-void push(Pile& pile, double t, std::uint32_t link)
-{
-  if (!(t <= pile.h)) return;
-  pile.ahead.push_back({t, link, pile.counter});
-  std::push_heap(pile.ahead.begin(), pile.ahead.end(), later);
-}
-
 bool tired(const Pile& pile, std::uint32_t i) { return pile.movers[i].impacts >= kMostImpacts; }
 
-void lookAtPair(Pile& pile, std::uint32_t l)
+double nextOfPair(const Pile& pile, const PairLink& link)
 {
-  const PairLink& link = pile.pairs[l];
-  if (pile.movers[link.a].calm && pile.movers[link.b].calm) return;
-  if (tired(pile, link.a) || tired(pile, link.b)) return;
+  if (pile.movers[link.a].calm && pile.movers[link.b].calm) return kNever;
+  if (tired(pile, link.a) || tired(pile, link.b)) return kNever;
   count(Law::PairSearch);
-  push(pile, pairImpact(pile, link), 3 * l);
+  return pairImpact(pile, link);
 }
 
-void lookAtBody(WorldState& world, const BodyLink& link, std::uint32_t code)
+double nextWithBody(const WorldState& world, const BodyLink& link)
 {
   const bool still = !world.bodies[link.body].moving;
-  if (still && world.pile.movers[link.ball].calm) return;
-  if (!tired(world.pile, link.ball)) push(world.pile, bodyImpact(world, link), code);
+  if (tired(world.pile, link.ball) || (still && world.pile.movers[link.ball].calm)) return kNever;
+  return bodyImpact(world, link);
+}
+
+void lookAtShare(const WorldState& world, PileShare& share)
+{
+  const Pile& pile = world.pile;
+  share.ahead.clear();
+  const auto note = [&](double t, std::uint32_t code) {
+    if (t <= pile.h) share.ahead.push_back({t, code, pile.counter});
+  };
+  for (const std::uint32_t l : share.active_bodies) note(nextWithBody(world, pile.bodies[l]), 3 * l + 1);
+  for (const std::uint32_t l : share.active_pairs) note(nextOfPair(pile, pile.pairs[l]), 3 * l);
 }
 
 void lookAtAll(WorldState& world)
 {
   Pile& pile = world.pile;
+  eachShare(world, [&world](PileShare& share) { lookAtShare(world, share); });
   pile.ahead.clear();
-  for (std::uint32_t l = 0; l < pile.moving.size(); ++l) lookAtBody(world, pile.moving[l], 3 * l + 2);
-  for (const std::uint32_t l : pile.active_bodies) lookAtBody(world, pile.bodies[l], 3 * l + 1);
-  for (const std::uint32_t l : pile.active_pairs) lookAtPair(pile, l);
+  for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
+    if (const double t = nextWithBody(world, pile.moving[l]); t <= pile.h) pile.ahead.push_back({t, 3 * l + 2, pile.counter});
+  for (const PileShare& share : pile.shares) pile.ahead.insert(pile.ahead.end(), share.ahead.begin(), share.ahead.end());
+  std::make_heap(pile.ahead.begin(), pile.ahead.end(), later);
 }
 
 // The ball has another path.
 void lookAgain(WorldState& world, std::uint32_t i)
 {
   Pile& pile = world.pile;
+  const auto note = [&pile](double t, std::uint32_t code) {
+    if (!(t <= pile.h)) return;
+    pile.ahead.push_back({t, code, pile.counter});
+    std::push_heap(pile.ahead.begin(), pile.ahead.end(), later);
+  };
   for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
-    if (pile.moving[l].ball == i) lookAtBody(world, pile.moving[l], 3 * l + 2);
+    if (pile.moving[l].ball == i) note(nextWithBody(world, pile.moving[l]), 3 * l + 2);
   for (std::uint32_t l = pile.first_body[i]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
-    lookAtBody(world, pile.bodies[l], 3 * l + 1);
-  pile.anyLink(i, [&pile](std::uint32_t l) {
-    lookAtPair(pile, l);
+    note(nextWithBody(world, pile.bodies[l]), 3 * l + 1);
+  pile.anyLink(i, [&](std::uint32_t l) {
+    note(nextOfPair(pile, pile.pairs[l]), 3 * l);
     return false;
   });
 }
@@ -200,6 +210,6 @@ void resolveImpacts(WorldState& world)
     lookAgain(world, a);
     if (b != a) lookAgain(world, b);
   }
-  updateActive(pile);
+  updateActive(world);
 }
 }  // namespace ping_pong

@@ -4,7 +4,7 @@
 
 #include "count.h"
 #include "pile_grid.h"
-#include "world_state.h"
+#include "pile_shares.h"
 
 namespace ping_pong
 {
@@ -99,16 +99,15 @@ void chainPairs(Pile& pile)
   for (std::uint32_t l = static_cast<std::uint32_t>(pile.pairs.size()); l-- > 0;) chainPair(pile, l);
 }
 
-// Links that were there before keep what they know.
+// Links that were there before keep what they know; updateActive() puts it in order.
 void remember(Pile& pile)
 {
   for (const KeptBalls& old : pile.old_kept)
     pile.anyLink(old.a, [&](std::uint32_t l) {
       const bool same = pile.pairs[l].a == old.a && pile.pairs[l].b == old.b;
-      if (same) pile.kept.push_back({l, old.kept.push, old.kept.held});
+      if (same) shareOf(pile, pile.pairs[l]).kept.push_back({l, old.kept.push, old.kept.held});
       return same;
     });
-  std::sort(pile.kept.begin(), pile.kept.end(), [](const KeptPair& p, const KeptPair& q) { return p.link < q.link; });
   pile.old_kept.clear();
   for (const BodyLink& old : pile.old_bodies)
     for (std::uint32_t l = pile.first_body[old.ball]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
@@ -122,9 +121,12 @@ void linkStray(Pile& pile, std::uint32_t i, const PileGrid::Entry& mine, const P
   const std::uint32_t k = other.slot;
   if (k == i || !overlap(mine, other)) return;
   if (pile.anyLink(i, [&](std::uint32_t l) { return pile.pairs[l].a == k || pile.pairs[l].b == k; })) return;
-  pile.active_pairs.push_back(static_cast<std::uint32_t>(pile.pairs.size()));
+  const auto l = static_cast<std::uint32_t>(pile.pairs.size());
   pile.pairs.push_back({std::min(i, k), std::max(i, k), 0, 0});
-  chainPair(pile, static_cast<std::uint32_t>(pile.pairs.size() - 1));
+  PileShare& share = shareOf(pile, pile.pairs[l]);
+  share.pairs.push_back(l);
+  share.active_pairs.push_back(l);
+  chainPair(pile, l);
 }
 
 void stray(WorldState& world, std::uint32_t i)
@@ -141,12 +143,30 @@ void stray(WorldState& world, std::uint32_t i)
   pile.grid.strays.push_back(mine);
   const std::size_t before = pile.bodies.size();
   linkWithBodies(world, i);
-  for (std::size_t l = before; l < pile.bodies.size(); ++l) pile.active_bodies.push_back(static_cast<std::uint32_t>(l));
+  PileShare& share = pile.shares[pile.share_of[i]];
+  for (std::size_t l = before; l < pile.bodies.size(); ++l)
+    for (std::vector<std::uint32_t>* list : {&share.bodies, &share.active_bodies}) list->push_back(static_cast<std::uint32_t>(l));
 }
 
-bool manyStrays(const Pile& pile)
+bool manyStrays(const Pile& pile, std::size_t more)
 {
-  return pile.grid.strays.size() >= std::min(kManyStrays, pile.movers.size() / kStrayPart + 1);
+  return pile.grid.strays.size() + more > std::min(kManyStrays, pile.movers.size() / kStrayPart + 1);
+}
+
+// How many balls leave their boxes in this step.
+std::size_t findLeaving(WorldState& world)
+{
+  Pile& pile = world.pile;
+  eachShare(world,
+            [&pile](PileShare& share)
+            {
+              share.leaving.clear();
+              for (const std::uint32_t i : share.awake)
+                if (!covered(pile, i)) share.leaving.push_back(i);
+            });
+  std::size_t leaving = 0;
+  for (const PileShare& share : pile.shares) leaving += share.leaving.size();
+  return leaving;
 }
 
 unsigned versionsOf(const WorldState& world)
@@ -160,30 +180,33 @@ void build(WorldState& world)
 {
   Pile& pile = world.pile;
   if (pile.movers.size() > 1) count(Law::BroadPhase);
+  detachKept(pile);
+  pile.old_bodies.swap(pile.bodies);
+  pile.bodies.clear();
+  sortSlots(pile);
   double radii = 0.0;
   for (std::size_t i = 0; i < pile.movers.size(); ++i) radii += pile.radius(i);
   pile.margin = static_cast<float>(kMargin * radii / static_cast<double>(pile.movers.size()));
   for (std::size_t i = 0; i < pile.movers.size(); ++i) coverWay(pile, i);
-  detachKept(pile);
-  pile.old_bodies.swap(pile.bodies);
-  pile.bodies.clear();
-  linkNear(pile);
+  linkNear(pile, world.workers);
   linkBodies(world);
   chainPairs(pile);
+  cutPile(pile, world.scene.forces.gravity);
+  shareLinks(pile);
   remember(pile);
   pile.links_void = false;
-  pile.active_void = true;
   pile.body_versions = versionsOf(world);
 }
 }  // namespace
 
 void detachKept(Pile& pile)
 {
-  for (std::vector<KeptPair>* list : {&pile.kept, &pile.kept_asleep})
-  {
-    for (const KeptPair& kept : *list) pile.old_kept.push_back({pile.pairs[kept.link].a, pile.pairs[kept.link].b, kept});
-    list->clear();
-  }
+  for (PileShare& share : pile.shares)
+    for (std::vector<KeptPair>* list : {&share.kept, &share.kept_asleep})
+    {
+      for (const KeptPair& kept : *list) pile.old_kept.push_back({pile.pairs[kept.link].a, pile.pairs[kept.link].b, kept});
+      list->clear();
+    }
   pile.pairs.clear();
 }
 
@@ -191,15 +214,17 @@ void updateLinks(WorldState& world)
 {
   Pile& pile = world.pile;
   bool anew = pile.links_void || pile.body_versions != versionsOf(world);
-  updateActive(pile);
-  for (std::size_t k = 0; k < pile.awake.size() && !anew; ++k)
+  if (!anew)
   {
-    if (covered(pile, pile.awake[k])) continue;
-    anew = manyStrays(pile);
-    if (!anew) stray(world, pile.awake[k]);
+    updateActive(world);
+    anew = manyStrays(pile, findLeaving(world));
   }
-  if (anew) build(world);
-  updateActive(pile);
+  if (anew)
+    build(world);
+  else
+    for (const PileShare& share : pile.shares)
+      for (const std::uint32_t i : share.leaving) stray(world, i);
+  updateActive(world);
 }
 
 bool updateLinksAfterImpact(WorldState& world, std::uint32_t a, std::uint32_t b)
@@ -208,51 +233,14 @@ bool updateLinksAfterImpact(WorldState& world, std::uint32_t a, std::uint32_t b)
   for (const std::uint32_t i : {a, b})
   {
     if (covered(pile, i)) continue;
-    if (manyStrays(pile))
+    if (manyStrays(pile, 1))
     {
       build(world);
-      updateActive(pile);
+      updateActive(world);
       return true;
     }
     stray(world, i);
   }
   return false;
-}
-
-namespace
-{
-bool anyAwake(const Pile& pile, const PairLink& link)
-{
-  return !pile.movers[link.a].asleep || !pile.movers[link.b].asleep;
-}
-
-// What is kept, anew by who is awake.
-void divideKept(Pile& pile)
-{
-  pile.all_kept.resize(pile.kept.size() + pile.kept_asleep.size());
-  std::merge(pile.kept.begin(), pile.kept.end(), pile.kept_asleep.begin(), pile.kept_asleep.end(), pile.all_kept.begin(),
-             [](const KeptPair& p, const KeptPair& q) { return p.link < q.link; });
-  pile.kept.clear();
-  pile.kept_asleep.clear();
-  for (const KeptPair& kept : pile.all_kept)
-    (anyAwake(pile, pile.pairs[kept.link]) ? pile.kept : pile.kept_asleep).push_back(kept);
-}
-}  // namespace
-
-void updateActive(Pile& pile)
-{
-  if (!pile.active_void) return;
-  pile.active_void = false;
-  pile.awake.clear();
-  pile.active_pairs.clear();
-  pile.active_bodies.clear();
-  for (std::uint32_t i = 0; i < pile.movers.size(); ++i)
-    if (!pile.movers[i].asleep) pile.awake.push_back(i);
-  if (pile.awake.empty()) return;
-  for (std::uint32_t l = 0; l < pile.pairs.size(); ++l)
-    if (anyAwake(pile, pile.pairs[l])) pile.active_pairs.push_back(l);
-  for (std::uint32_t l = 0; l < pile.bodies.size(); ++l)
-    if (!pile.movers[pile.bodies[l].ball].asleep) pile.active_bodies.push_back(l);
-  divideKept(pile);
 }
 }  // namespace ping_pong

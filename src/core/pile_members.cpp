@@ -1,8 +1,7 @@
 // The way of balls into the pile, and back into the records of the world.
 #include <algorithm>
 
-#include "pile.h"
-#include "world_state.h"
+#include "pile_shares.h"
 
 namespace ping_pong
 {
@@ -32,6 +31,12 @@ std::uint16_t kindOf(Pile& pile, const BallRecord& ball)
   return static_cast<std::uint16_t>(pile.kinds.size() - 1);
 }
 
+// As many as there are if it is not in the pile.
+std::uint32_t slotOf(const Pile& pile, std::uint32_t ball)
+{
+  return static_cast<std::uint32_t>(std::find(pile.ball.begin(), pile.ball.end(), ball) - pile.ball.begin());
+}
+
 void take(WorldState& world, std::size_t slot, double time)
 {
   Pile& pile = world.pile;
@@ -47,7 +52,7 @@ void take(WorldState& world, std::size_t slot, double time)
   pile.changes[slot] = Change();
   pile.q[slot] = state.q_WB;
   pile.still[slot] = pile.untouched[slot] = 0.0f;
-  pile.links_void = pile.active_void = true;
+  pile.links_void = true;
 }
 }  // namespace
 
@@ -66,19 +71,30 @@ void clearPile(Pile& pile)
   pile.untouched.clear();
   pile.kinds.clear();
   pile.pairs.clear();
-  pile.kept.clear();
-  pile.kept_asleep.clear();
   pile.old_kept.clear();
   pile.bodies.clear();
   pile.moving.clear();
-  pile.awake.clear();
-  pile.active_pairs.clear();
-  pile.active_bodies.clear();
+  for (PileShare& share : pile.shares) clearShare(share);
   pile.counter = 1;
   pile.steps = 0;
   pile.h = 0.0;
-  pile.links_void = pile.active_void = true;
+  pile.links_void = true;
 }
+
+namespace
+{
+void reserveShare(PileShare& share, std::size_t balls)
+{
+  for (std::vector<std::uint32_t>* list : {&share.balls, &share.awake, &share.leaving, &share.waking}) list->reserve(balls);
+  for (std::vector<std::uint32_t>* list : {&share.pairs, &share.active_pairs}) list->reserve(kPairs * balls);
+  for (std::vector<std::uint32_t>* list : {&share.bodies, &share.active_bodies}) list->reserve(kBodies * balls);
+  share.body_touches.reserve(kBodies * balls);
+  share.touches.reserve(kTouches * balls);
+  share.held.reserve(kTouches * balls);
+  for (std::vector<KeptPair>* list : {&share.kept, &share.kept_asleep, &share.all_kept}) list->reserve(kTouches * balls);
+  share.ahead.reserve(balls);
+}
+}  // namespace
 
 void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
 {
@@ -95,15 +111,11 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   pile.untouched.reserve(balls);
   pile.kinds.reserve(kKinds);
   pile.pairs.reserve(kPairs * balls);
-  pile.active_pairs.reserve(kPairs * balls);
+  for (std::vector<PairLink>& found : pile.found) found.reserve(kMore + kPairs * balls / (Pile::kMostSlabs / 2));
   for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving}) links->reserve(kBodies * balls + kMore);
-  pile.active_bodies.reserve(kBodies * balls + kMore);
-  pile.body_touches.reserve(kBodies * balls + kMore);
-  pile.awake.reserve(balls);
-  pile.waking.reserve(balls);
-  pile.touches.reserve(kTouches * balls);
-  for (std::vector<KeptPair>* list : {&pile.kept, &pile.kept_asleep, &pile.all_kept}) list->reserve(kTouches * balls);
-  pile.held.reserve(kTouches * balls);
+  for (std::vector<std::uint32_t>* list : {&pile.old_slot, &pile.new_slot}) list->reserve(balls);
+  pile.share_of.reserve(balls);
+  for (PileShare& share : pile.shares) reserveShare(share, kMore + balls / (Pile::kMostSlabs / 2));
   pile.old_kept.reserve(kTouches * balls);
   pile.first_link.reserve(balls);
   pile.first_body.reserve(balls);
@@ -134,9 +146,8 @@ void addToPile(WorldState& world, std::uint32_t ball, double time)
 
 void dropFromPile(Pile& pile, std::uint32_t ball)
 {
-  const auto found = std::find(pile.ball.begin(), pile.ball.end(), ball);
-  if (found == pile.ball.end()) return;
-  const auto slot = static_cast<std::uint32_t>(found - pile.ball.begin());
+  const std::uint32_t slot = slotOf(pile, ball);
+  if (slot == pile.ball.size()) return;
   wakeNear(pile, pile.movers[slot].p, pile.radius(slot));
   const auto drop = [slot](auto& list) {
     if (slot < list.size()) list.erase(list.begin() + slot);
@@ -151,7 +162,7 @@ void dropFromPile(Pile& pile, std::uint32_t ball)
   forget(pile.bodies, [slot](const BodyLink& link) { return link.ball == slot; });
   for (KeptBalls& kept : pile.old_kept) kept.a -= kept.a > slot, kept.b -= kept.b > slot;
   for (BodyLink& link : pile.bodies) link.ball -= link.ball > slot;
-  pile.links_void = pile.active_void = true;
+  pile.links_void = true;
 }
 
 void removeFromPile(Pile& pile, std::uint32_t ball)
@@ -169,8 +180,9 @@ void disturbPile(WorldState& world)
   }
 }
 
-void restatePile(WorldState& world, std::size_t slot)
+void restatePile(WorldState& world, std::uint32_t ball)
 {
+  const std::uint32_t slot = slotOf(world.pile, ball);
   world.balls[world.pile.ball[slot]].asleep = false;
   wakeNear(world.pile, world.pile.movers[slot].p, world.pile.radius(slot));
   take(world, slot, world.time);

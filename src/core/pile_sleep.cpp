@@ -1,6 +1,5 @@
 // Who sleeps is not computed: balls fall asleep one by one, and wake up one by one, as far as a disturbance reaches.
-#include "pile.h"
-#include "world_state.h"
+#include "pile_shares.h"
 
 namespace ping_pong
 {
@@ -26,7 +25,7 @@ void sleep(WorldState& world, std::size_t i)
   mover.v.setZero();
   pile.w[i].setZero();
   pile.changes[i] = Change();
-  pile.active_void = true;
+  pile.voidActive(i);
   BallRecord& ball = world.balls[pile.ball[i]];
   ball.asleep = true;
   ball.supports.since = pile.start + pile.h - static_cast<double>(pile.still[i]);
@@ -36,14 +35,16 @@ void sleep(WorldState& world, std::size_t i)
 // A neighbour that is not still yet keeps a ball awake.
 void keepAwake(Pile& pile)
 {
-  for (const std::uint32_t i : pile.awake) pile.movers[i].kept_awake = false;
-  for (const Touch& touch : pile.touches)
-  {
-    if (pile.movers[touch.a].asleep || pile.movers[touch.b].asleep) continue;
-    const bool a = pile.still[touch.a] > kStillFor, b = pile.still[touch.b] > kStillFor;
-    if (a == b) continue;
-    pile.movers[a ? touch.a : touch.b].kept_awake = true;
-  }
+  for (PileShare& share : pile.shares)
+    for (const std::uint32_t i : share.awake) pile.movers[i].kept_awake = false;
+  for (const PileShare& share : pile.shares)
+    for (const Touch& touch : share.touches)
+    {
+      if (pile.movers[touch.a].asleep || pile.movers[touch.b].asleep) continue;
+      const bool a = pile.still[touch.a] > kStillFor, b = pile.still[touch.b] > kStillFor;
+      if (a == b) continue;
+      pile.movers[a ? touch.a : touch.b].kept_awake = true;
+    }
 }
 }  // namespace
 
@@ -54,7 +55,7 @@ void Pile::wake(std::size_t i)
   mover.asleep = false;
   mover.loaded = mover.was_loaded = true;
   still[i] = 0.0f;
-  active_void = true;
+  voidActive(i);
 }
 
 void wakeNear(Pile& pile, const Vector3d& p_WB, double radius)
@@ -66,10 +67,12 @@ void wakeNear(Pile& pile, const Vector3d& p_WB, double radius)
 void settlePile(WorldState& world)
 {
   Pile& pile = world.pile;
-  for (const std::uint32_t i : pile.waking) pile.wake(i);
+  for (const PileShare& share : pile.shares)
+    for (const std::uint32_t i : share.waking) pile.wake(i);
   if (++pile.steps % kEvery != 0) return;
   keepAwake(pile);
-  for (const std::uint32_t i : pile.awake)
-    if (still(pile, i)) sleep(world, i);
+  for (const PileShare& share : pile.shares)
+    for (const std::uint32_t i : share.awake)
+      if (still(pile, i)) sleep(world, i);
 }
 }  // namespace ping_pong

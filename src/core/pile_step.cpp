@@ -3,10 +3,9 @@
 #include <cmath>
 
 #include "count.h"
-#include "pile.h"
+#include "pile_shares.h"
 #include "ping_pong_sim/evolve.h"
 #include "fixed_flight.h"
-#include "world_state.h"
 
 namespace ping_pong
 {
@@ -20,9 +19,10 @@ void accelerate(WorldState& world)
 {
   Pile& pile = world.pile;
   if (pile.a.empty()) return;
-  for (const std::uint32_t i : pile.awake)
+  for (std::size_t i = 0; i < pile.movers.size(); ++i)
   {
     const Mover& mover = pile.movers[i];
+    if (mover.asleep) continue;
     pile.a[i] = pile.kinds[mover.kind].model.acceleration(mover.v, pile.w[i]);
     if ((mover.v + pile.h * pile.a[i]).norm() < kFastest) continue;
     pile.a[i].setZero();  // the step is too long for the drag: the ball goes straight on
@@ -73,10 +73,9 @@ void turn(Pile& pile, std::size_t i)
 }
 
 // The rest of the forces acts where nothing carries the ball: velocity Verlet in free flight.
-void endStep(WorldState& world)
+void endStep(Pile& pile, PileShare& share)
 {
-  Pile& pile = world.pile;
-  for (const std::uint32_t i : pile.awake)
+  for (const std::uint32_t i : share.awake)
   {
     Mover& mover = pile.movers[i];
     const Vector3d p = pile.movers[i].p + pile.h * mover.v;
@@ -90,7 +89,7 @@ void endStep(WorldState& world)
     }
     if (!(v.squaredNorm() < kFastest * kFastest) || !p.allFinite())  // the ball keeps its last finite state
     {
-      world.status.not_finite = true;
+      share.not_finite = true;
       mover.clock = 0.0;
       mover.impacts = 0;
       continue;
@@ -116,8 +115,9 @@ void setLength(Pile& pile, double h)
     push.normal *= ratio;
     push.tangent *= ratio;
   };
-  for (std::vector<KeptPair>* list : {&pile.kept, &pile.kept_asleep})
-    for (KeptPair& kept : *list) scale(kept.push);
+  for (PileShare& share : pile.shares)
+    for (std::vector<KeptPair>* list : {&share.kept, &share.kept_asleep})
+      for (KeptPair& kept : *list) scale(kept.push);
   for (BodyLink& link : pile.bodies) scale(link.push);
   pile.h = h;
 }
@@ -127,16 +127,16 @@ void step(WorldState& world, double start, double h)
   Pile& pile = world.pile;
   setLength(pile, h);
   pile.start = start;
-  pile.squeezed = 0;
+  for (PileShare& share : pile.shares) share.squeezed = 0;
   pile.least_impact = std::max(kNoImpact, kImpactInSteps * world.scene.forces.gravity.norm() * h);
   pile.step_mark = pile.counter + 1;
   accelerate(world);
   linkMovingBodies(world);
   updateLinks(world);
-  if (pile.awake.empty() && pile.moving.empty()) return;
+  if (!pile.anyAwake() && pile.moving.empty()) return;
   resolveImpacts(world);
   solveContacts(world);
-  endStep(world);
+  eachShare(world, [&pile](PileShare& share) { endStep(pile, share); });
   settlePile(world);
 }
 }  // namespace
@@ -166,12 +166,21 @@ void runPile(WorldState& world, double start, double end, double longest_step)
   const long steps = std::max(1L, std::lround(std::ceil(duration / longest_step - 1e-9)));
   const double h = duration / static_cast<double>(steps);
   for (long i = 0; i < steps; ++i) step(world, start + h * static_cast<double>(i), h);
-  updateActive(pile);
-  world.status.squeezed += pile.squeezed;
-  for (const std::uint32_t i : pile.awake)
+  updateActive(world);
+  eachShare(world,
+            [&](PileShare& share)
+            {
+              for (const std::uint32_t i : share.awake)
+              {
+                storeBall(world, i, end);
+                world.balls[pile.ball[i]].asleep = false;
+              }
+            });
+  for (PileShare& share : pile.shares)
   {
-    storeBall(world, i, end);
-    world.balls[pile.ball[i]].asleep = false;
+    world.status.squeezed += share.squeezed;
+    world.status.not_finite |= share.not_finite;
+    share.not_finite = false;
   }
 }
 }  // namespace ping_pong

@@ -167,7 +167,7 @@ void World::Impl::planBall(std::size_t index)
   if (index == pile.ball.size())
     addToPile(*this, static_cast<std::uint32_t>(index), time);
   else
-    restatePile(*this, index);
+    restatePile(*this, static_cast<std::uint32_t>(index));
 }
 
 // Neumaier's compensated sum.

@@ -105,8 +105,8 @@ TEST(Threads, APourThatPassesToThePile)
 
 TEST(Threads, APileFromTheStart)
 {
-  const Course course = sameForAnyNumber(pourOf(300, Method::Impulse), 0.02, 10);
-  EXPECT_EQ(course.counts.back(), 300u);
+  const Course course = sameForAnyNumber(pourOf(800, Method::Impulse), 0.02, 28);
+  EXPECT_EQ(course.counts.back(), 800u);
 }
 
 TEST(Threads, ComeAndGoWithTheWorld)
