@@ -99,8 +99,7 @@ void moveOnFaces(const WorldState& world, const BallRecord& ball, const BallStat
   path.degree = still ? 0 : 2;
   path.c[1] = still ? Vector3d(Vector3d::Zero()) : state.v_WB;
   path.c[2] = 0.5 * motion.a;
-  path.alpha_WB = motion.alpha;
-  path.boundAcceleration();
+  if (!motion.alpha.isZero(0.0)) path.further.make().alpha_WB = motion.alpha;
   path.end = std::min(leavesFirstFace(world, ball.supports, path, t), t + motion.until_grip);
   // On a moving body the caller plans anew at the next window; the path only has to reach it.
   if (onMovingBody(world, ball.supports) && path.end > window_end) path.end = kNever;
@@ -149,9 +148,10 @@ void hermite(const BallState& from, const Vector3d& a0, const BallState& to, con
   path.degree = 5;
   path.c[1] = from.v_WB;
   path.c[2] = 0.5 * a0;
-  path.c[3] = (10.0 * p - 4.0 * v + 0.5 * a) / (h * h * h);
-  path.c[4] = (-15.0 * p + 7.0 * v - a) / (h * h * h * h);
-  path.c[5] = (6.0 * p - 3.0 * v + 0.5 * a) / (h * h * h * h * h);
+  FurtherTerms& further = path.further.make();
+  further.c[0] = (10.0 * p - 4.0 * v + 0.5 * a) / (h * h * h);
+  further.c[1] = (-15.0 * p + 7.0 * v - a) / (h * h * h * h);
+  further.c[2] = (6.0 * p - 3.0 * v + 0.5 * a) / (h * h * h * h * h);
 }
 
 void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallState& state, const HeldMotion& motion,
@@ -166,7 +166,7 @@ void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallStat
   settleOnAll(world, ball, end, t + h);
   AccelerationBounds bounds;
   hermite(state, motion.a, end, heldMotion(world, ball, end, t + h, h, bounds).a, h, path);
-  path.alpha_WB = (end.w_WB - state.w_WB) / h;
+  path.further->alpha_WB = (end.w_WB - state.w_WB) / h;
   path.end = t + h;
   path.boundAcceleration();
 }

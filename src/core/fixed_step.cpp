@@ -25,8 +25,9 @@ using Step = void (*)(Flight&, const FlightModel&, double);
 
 void turnNow(Segment& path)
 {
-  path.q_WB = turned(path.q_WB, path.turn_WB, 1.0);
-  path.turn_WB.setZero();
+  if (!path.further) return;
+  path.q_WB = turned(path.q_WB, path.further->turn_WB, 1.0);
+  path.further->turn_WB.setZero();
 }
 
 BallState stateOf(const BallRecord& ball)
@@ -88,9 +89,10 @@ void fly(WorldState& world, double h)
     path.c[0] = after.p;
     path.c[1] = after.v;
     if (path.w_WB.isZero(0.0)) continue;
-    path.turn_WB += turnIn(path.w_WB, ball.model.spinDecay(), h);
+    Vector3d& turn_WB = path.further.make().turn_WB;
+    turn_WB += turnIn(path.w_WB, ball.model.spinDecay(), h);
     path.w_WB = after.w;
-    if (path.turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
+    if (turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
   }
 }
 

@@ -40,7 +40,7 @@ bool hopsOn(const WorldState& world, const BallRecord& ball, const Event& event)
   if (event.kind != Event::Kind::HitBody || world.any_moving || ball.path.degree != 2 || !ball.model.constant()) return false;
   const BodyRecord& body = world.bodies[event.other];
   return body.version == event.version && body.placed[event.shape].kind == ShapeKind::HalfSpace && ball.supports.none() &&
-         ball.path.w_WB.isZero(0.0) && ball.path.turn_WB.isZero(0.0) && ball.crush < kLongStreak;
+         ball.path.w_WB.isZero(0.0) && ball.path.turn_WB().isZero(0.0) && ball.crush < kLongStreak;
 }
 
 bool slips(const Ground& ground, const Vector3d& v)

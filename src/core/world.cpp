@@ -145,6 +145,7 @@ void World::Impl::makeSpace()
   space_for = space_for == 0 ? balls.size() : std::max(balls.size(), 2 * space_for);
   takeMemory(contacts, kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
   takeMemory(origins, contacts.capacity());
+  Pooled<FurtherTerms>::reserve(2 * space_for, workers.count());  // of balls, and of balls at the start of a window
   const bool may_pile_up = eventByEvent(scene.method) && balls.size() > 1;
   if (may_pile_up) islands.reserve(space_for, workers.count());
   if (may_pile_up || scene.method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
