@@ -47,10 +47,12 @@ struct SeenPath
     a_low = middle - spread;
     a_high = middle + spread;
   }
-  const Vector3d& operator()(int k) const { return c[k]; }
-  Vector3d position(double s) const { return valueAt(s, degree, *this); }
-  Vector3d velocity(double s) const { return derivativeAt(s, degree, *this); }
-  Vector3d acceleration(double s) const { return secondDerivativeAt(s, degree, *this); }
+  Vector3d position(double s) const { return polynomial().at(s); }
+  Vector3d velocity(double s) const { return polynomial().derivativeAt(s); }
+  Vector3d acceleration(double s) const { return polynomial().secondDerivativeAt(s); }
+
+private:
+  Polynomial polynomial() const { return {degree, c, c + 3}; }
 };
 
 // How far beyond each pair of faces of the shape's bounding box the ball is; negative where it is between them.

@@ -10,20 +10,17 @@
 
 namespace ping_pong
 {
-Vector3d Segment::positionOnPolynomial(double s) const
+namespace
 {
-  return valueAt(s, degree, [this](int k) -> const Vector3d& { return coefficient(k); });
+Polynomial polynomialOf(const Segment& path)
+{
+  return {path.degree, path.c.data(), path.further ? path.further->c.data() : nullptr};
 }
+}  // namespace
 
-Vector3d Segment::velocityOnPolynomial(double s) const
-{
-  return derivativeAt(s, degree, [this](int k) -> const Vector3d& { return coefficient(k); });
-}
-
-Vector3d Segment::acceleration(double s) const
-{
-  return secondDerivativeAt(s, degree, [this](int k) -> const Vector3d& { return coefficient(k); });
-}
+Vector3d Segment::positionOnPolynomial(double s) const { return polynomialOf(*this).at(s); }
+Vector3d Segment::velocityOnPolynomial(double s) const { return polynomialOf(*this).derivativeAt(s); }
+Vector3d Segment::acceleration(double s) const { return polynomialOf(*this).secondDerivativeAt(s); }
 
 Vector3d Segment::spin(double s) const
 {
