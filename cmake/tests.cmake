@@ -59,6 +59,7 @@ foreach(name
     flight
     ladder
     allocations
+    pooled
     bouncing
     large_numbers
     tunnelling

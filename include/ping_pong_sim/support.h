@@ -4,8 +4,9 @@
 #include <array>
 
 #include "ping_pong_sim/body.h"
+#include "ping_pong_sim/detect.h"
 #include "ping_pong_sim/evolve.h"
-#include "ping_pong_sim/segment.h"
+#include "ping_pong_sim/pooled.h"
 
 namespace ping_pong
 {
@@ -17,22 +18,48 @@ struct AccelerationBound
 };
 
 /// Surfaces that a ball lies on.
-struct Supports
+class Supports
 {
+public:
   static constexpr std::size_t kMax = 8;
   struct Surface
   {
-    std::uint32_t body = 0;
-    std::uint32_t shape = 0;
+    std::uint16_t body = 0;
+    std::uint16_t shape = 0;
   };
-  std::array<Surface, kMax> list;
-  std::uint32_t count = 0;
-  double since = 0.0;  ///< world time at which its bounces ended [s]
 
-  bool has(std::size_t body, std::size_t shape) const;
+  std::size_t count() const { return list_ ? list_->count : 0; }
+  bool none() const { return count() == 0; }
+  const Surface& operator[](std::size_t index) const { return list_->surfaces[index]; }
+  bool has(std::size_t body, std::size_t shape) const { return list_ && list_->has(body, shape); }
   void add(std::size_t body, std::size_t shape);  ///< ignores what it has already, and more than kMax
   void remove(std::size_t index);
-  bool none() const { return count == 0; }
+
+  double since() const { return list_ ? list_->since : 0.0; }  ///< world time at which its bounces ended [s]
+  void setSince(double time) { list_.make().since = time; }
+
+  /// A shape whose contacts are not looked for until then, on this path: it continues a face that the ball slides over.
+  void pass(std::size_t body, std::size_t shape, double until);
+  void passNone();
+  /// When contacts with this shape begin to count, no earlier than `from` [s].
+  double passesUntil(std::size_t body, std::size_t shape, double from) const;
+
+  /// Memory for those of so many balls, see Pooled::reserve().
+  static void reserve(std::size_t balls, std::size_t threads) { Pooled<List>::reserve(balls, threads); }
+
+private:
+  struct List
+  {
+    double since = 0.0;
+    double passing_until = -kNever;  ///< of `passing`
+    std::array<Surface, kMax> surfaces;
+    Surface passing;
+    std::uint32_t count = 0;
+
+    bool has(std::size_t body, std::size_t shape) const;
+  };
+
+  Pooled<List> list_;  ///< few balls of a crowd lie
 };
 
 /// Bounds of all surfaces that a ball lies on, at one instant.

@@ -43,7 +43,7 @@ struct Refusal
 class World
 {
 public:
-  explicit World(const Scene& scene);
+  explicit World(Scene scene);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;

@@ -32,25 +32,25 @@ bool projectOn(const Place& place, double radius, BallState& ball)
 // Projecting on one surface shifts the ball on the others: a few rounds bring it onto all.
 void settleOnAll(const WorldState& world, const BallRecord& ball, BallState& state, double t)
 {
-  if (ball.supports.count < 2) return;
+  if (ball.supports.count() < 2) return;
   for (int round = 0; round < kProjections; ++round)
-    for (std::size_t i = 0; i < ball.supports.count; ++i)
-      projectOn(placeOf(world, ball, i, t), ball.params.radius, state);
+    for (std::size_t i = 0; i < ball.supports.count(); ++i)
+      projectOn(placeOf(world, ball, i, t), ball.params().radius, state);
 }
 
 void dropSurfacesLeft(const WorldState& world, BallRecord& ball, BallState& state, double t)
 {
-  for (std::size_t i = ball.supports.count; i-- > 0;)
-    if (!projectOn(placeOf(world, ball, i, t), ball.params.radius, state)) ball.supports.remove(i);
+  for (std::size_t i = ball.supports.count(); i-- > 0;)
+    if (!projectOn(placeOf(world, ball, i, t), ball.params().radius, state)) ball.supports.remove(i);
   settleOnAll(world, ball, state, t);
 }
 
 bool allFlatAndNotTurning(const WorldState& world, const BallRecord& ball, const BallState& state, double t)
 {
-  for (std::size_t i = 0; i < ball.supports.count; ++i)
+  for (std::size_t i = 0; i < ball.supports.count(); ++i)
   {
     const Place place = placeOf(world, ball, i, t);
-    if (world.bodies[ball.supports.list[i].body].frame().turning()) return false;
+    if (world.bodies[ball.supports[i].body].frame().turning()) return false;
     const Vector3d p_BQ = place.frame.R_WB.transpose() * (state.p_WB - place.frame.p_WB);
     if (!proximity(place.shape, p_BQ).flat()) return false;
   }
@@ -59,18 +59,18 @@ bool allFlatAndNotTurning(const WorldState& world, const BallRecord& ball, const
 
 bool onMovingBody(const WorldState& world, const Supports& supports)
 {
-  for (std::size_t i = 0; i < supports.count; ++i)
-    if (world.bodies[supports.list[i].body].moving) return true;
+  for (std::size_t i = 0; i < supports.count(); ++i)
+    if (world.bodies[supports[i].body].moving) return true;
   return false;
 }
 
 double leavesFirstFace(const WorldState& world, const Supports& supports, const Segment& path, double t)
 {
   double first = kNever;
-  for (std::size_t i = 0; i < supports.count; ++i)
+  for (std::size_t i = 0; i < supports.count(); ++i)
   {
-    const BodyRecord& body = world.bodies[supports.list[i].body];
-    first = std::min(first, leavesFace(path, body.shapes()[supports.list[i].shape], body.frame(), t, kNever));
+    const BodyRecord& body = world.bodies[supports[i].body];
+    first = std::min(first, leavesFace(path, body.shapes()[supports[i].shape], body.frame(), t, kNever));
   }
   return first;
 }
@@ -81,14 +81,14 @@ bool steady(const WorldState& world, const BallRecord& ball, const BallState& st
   if (!allFlatAndNotTurning(world, ball, state, t)) return false;
   if (world.scene.forces.dependOnVelocity() && !(state.v_WB.isZero(0.0) && motion.a.isZero(0.0))) return false;
   bool rough = false;
-  for (std::size_t i = 0; i < ball.supports.count; ++i) rough |= placeOf(world, ball, i, t).law.friction > 0.0;
+  for (std::size_t i = 0; i < ball.supports.count(); ++i) rough |= placeOf(world, ball, i, t).law.friction > 0.0;
   if (!rough) return true;
-  if (ball.supports.count > 1) return motion.a.isZero(0.0) && motion.alpha.isZero(0.0);
+  if (ball.supports.count() > 1) return motion.a.isZero(0.0) && motion.alpha.isZero(0.0);
   // Friction keeps its direction while the slip does: it changes along itself.
   const Place place = placeOf(world, ball, 0, t);
-  const Vector3d slip = slipOver(place, ball.params, state);
-  const Vector3d n = gapTo(place.shape, place.frame, state.p_WB, state.v_WB, ball.params.radius).n_W;
-  const Vector3d change = motion.a - place.frame.a_WB - ball.params.radius * motion.alpha.cross(n);
+  const Vector3d slip = slipOver(place, ball.params(), state);
+  const Vector3d n = gapTo(place.shape, place.frame, state.p_WB, state.v_WB, ball.params().radius).n_W;
+  const Vector3d change = motion.a - place.frame.a_WB - ball.params().radius * motion.alpha.cross(n);
   return slip.cross(change - n.dot(change) * n).norm() <= 1e-12 * slip.norm() * (change.norm() + 1.0);
 }
 
@@ -99,8 +99,7 @@ void moveOnFaces(const WorldState& world, const BallRecord& ball, const BallStat
   path.degree = still ? 0 : 2;
   path.c[1] = still ? Vector3d(Vector3d::Zero()) : state.v_WB;
   path.c[2] = 0.5 * motion.a;
-  path.alpha_WB = motion.alpha;
-  path.boundAcceleration();
+  if (!motion.alpha.isZero(0.0)) path.further.make().alpha_WB = motion.alpha;
   path.end = std::min(leavesFirstFace(world, ball.supports, path, t), t + motion.until_grip);
   // On a moving body the caller plans anew at the next window; the path only has to reach it.
   if (onMovingBody(world, ball.supports) && path.end > window_end) path.end = kNever;
@@ -149,24 +148,25 @@ void hermite(const BallState& from, const Vector3d& a0, const BallState& to, con
   path.degree = 5;
   path.c[1] = from.v_WB;
   path.c[2] = 0.5 * a0;
-  path.c[3] = (10.0 * p - 4.0 * v + 0.5 * a) / (h * h * h);
-  path.c[4] = (-15.0 * p + 7.0 * v - a) / (h * h * h * h);
-  path.c[5] = (6.0 * p - 3.0 * v + 0.5 * a) / (h * h * h * h * h);
+  FurtherTerms& further = path.further.make();
+  further.c[0] = (10.0 * p - 4.0 * v + 0.5 * a) / (h * h * h);
+  further.c[1] = (-15.0 * p + 7.0 * v - a) / (h * h * h * h);
+  further.c[2] = (6.0 * p - 3.0 * v + 0.5 * a) / (h * h * h * h * h);
 }
 
 void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallState& state, const HeldMotion& motion,
                  double t, double window_end, Segment& path)
 {
-  double h = ball.supports.count == 1 && allFlatAndNotTurning(world, ball, state, t) ? kFlatPiece : kPiece;
+  double h = ball.supports.count() == 1 && allFlatAndNotTurning(world, ball, state, t) ? kFlatPiece : kPiece;
   if (motion.until_grip > kShortestPiece) h = std::min(h, motion.until_grip);
   if (onMovingBody(world, ball.supports) && window_end > t) h = std::min(h, window_end - t);
   BallState end = heldStep(world, ball, state, t, h);
-  for (std::size_t i = 0; i < ball.supports.count; ++i)
-    projectOn(placeOf(world, ball, i, t + h), ball.params.radius, end);
+  for (std::size_t i = 0; i < ball.supports.count(); ++i)
+    projectOn(placeOf(world, ball, i, t + h), ball.params().radius, end);
   settleOnAll(world, ball, end, t + h);
   AccelerationBounds bounds;
   hermite(state, motion.a, end, heldMotion(world, ball, end, t + h, h, bounds).a, h, path);
-  path.alpha_WB = (end.w_WB - state.w_WB) / h;
+  path.further->alpha_WB = (end.w_WB - state.w_WB) / h;
   path.end = t + h;
   path.boundAcceleration();
 }
@@ -175,7 +175,7 @@ void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallStat
 // it.
 void flyStep(BallRecord& ball, const BallState& state, double t, double h)
 {
-  ball.path = flyRk4(state, t, ball.model, h);
+  ball.path = flyRk4(state, t, ball.model(), h);
   ball.overflows = !ball.path.position(h).allFinite() || !ball.path.velocity(h).allFinite();
   if (!ball.overflows) return;
   ball.path = flyParabola(state, t, Vector3d::Zero());
@@ -187,7 +187,7 @@ void planFlight(const WorldState& world, BallRecord& ball, const BallState& stat
   if (world.scene.method == Method::Rk4Located) return flyStep(ball, state, t, world.scene.dt);
   // A piece that a contact has cut was long enough: a longer one might have to be tried twice.
   if (ball.path.degree > 2 && t < ball.path.end) ball.step = std::min(ball.step, ball.path.end - ball.path.start);
-  fly(state, t, ball.model, world.scene.tolerance, ball.step, ball.path);
+  fly(state, t, ball.model(), world.scene.tolerance, ball.step, ball.path);
 }
 
 // The path of a ball that lay on surfaces; it may leave some of them now, or all.
@@ -196,12 +196,12 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
   dropSurfacesLeft(world, ball, state, t);
   AccelerationBounds bounds;
   HeldMotion motion = heldMotion(world, ball, state, t, 0.0, bounds);
-  for (std::size_t i = ball.supports.count; i-- > 0;)
+  for (std::size_t i = ball.supports.count(); i-- > 0;)
     if (!bounds.loaded[i]) ball.supports.remove(i);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
-  const Vector3d free = ball.model.acceleration(state.v_WB, state.w_WB);
+  const Vector3d free = ball.model().acceleration(state.v_WB, state.w_WB);
   motion.a = cleaned(motion.a, free);
-  motion.alpha = cleaned(ball.params.radius * motion.alpha, free) / ball.params.radius;
+  motion.alpha = cleaned(ball.params().radius * motion.alpha, free) / ball.params().radius;
   ball.path = flyParabola(state, t, Vector3d::Zero());
   if (steady(world, ball, state, motion, t))
     moveOnFaces(world, ball, state, motion, t, window_end, ball.path);
@@ -218,7 +218,7 @@ double timeOfRemainingBounces(double rate, double press, double restitution)
 void planPath(const WorldState& world, BallRecord& ball, const BallState& state, double t, double window_end)
 {
   ++ball.version;
-  ball.passing = Passing();
+  ball.supports.passNone();
   if (ball.supports.none())
     planFlight(world, ball, state, t);
   else

@@ -35,13 +35,13 @@ inline void recordBodyContact(Records& records, const BallRecord& ball, std::siz
   contact->ball = ball.id;
   contact->body = event.other;
   contact->shape = event.shape;
-  contact->p_WC = impact.p_WB - ball.params.radius * n_W;
+  contact->p_WC = impact.p_WB - ball.params().radius * n_W;
   contact->n_W = n_W;
   contact->v_before = impact.v_before;
   contact->v_after = impact.v_after;
   contact->w_before = impact.w_before;
   contact->w_after = impact.w_after;
   contact->v_other = u;
-  contact->impulse = ball.params.mass * (impact.v_after - impact.v_before);
+  contact->impulse = ball.params().mass * (impact.v_after - impact.v_before);
 }
 }  // namespace ping_pong

@@ -146,8 +146,8 @@ Detection firstContact(const Segment& path, double radius, const Shape& shape, c
   const auto frame = [&](double t) { return frameAt(motion, t - motion.start); };
   // A body that does not turn stays behind its tangent plane: the gap changes at least as the distance from that plane.
   const bool turning = motion.turning();
-  const Vector3d a_low = path.a_low - motion.a_WB;
-  const Vector3d a_high = path.a_high - motion.a_WB;
+  const Vector3d a_low = path.aLow() - motion.a_WB;
+  const Vector3d a_high = path.aHigh() - motion.a_WB;
   const double bound = turning ? relativeAccelerationBound(path, motion, from, until) : 0.0;
   const auto at = [&](double t) {
     const double s = t - path.start;
@@ -171,8 +171,8 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
   if (isParabola(path1) && isParabola(path2) && path1.c[2] == path2.c[2])
     return firstContact(asParabola(path1), asParabola(path2), reach, from, until);
   const double tolerance = touchTolerance(path1.position(from - path1.start), reach);
-  const Vector3d a_low = path1.a_low - path2.a_high;
-  const Vector3d a_high = path1.a_high - path2.a_low;
+  const Vector3d a_low = path1.aLow() - path2.aHigh();
+  const Vector3d a_high = path1.aHigh() - path2.aLow();
   const auto at = [&](double t) {
     const Vector3d d = path1.position(t - path1.start) - path2.position(t - path2.start);
     const Vector3d u = path1.velocity(t - path1.start) - path2.velocity(t - path2.start);

@@ -2,6 +2,7 @@
 #include "count.h"
 #include "descent.h"
 #include "fall_on_plane.h"
+#include "polynomial.h"
 #include "proximity_here.h"
 
 namespace ping_pong
@@ -21,28 +22,38 @@ Detection meetPlane(const Segment& path, double radius, const Shape& shape, doub
   Height height;
   height.degree = path.degree;
   height.c[0] = n.dot(path.c[0] - shape.p_BS) - radius;
-  for (int k = 1; k <= path.degree; ++k) height.c[k] = n.dot(path.c[k]);
-  height.least_bend = leastAlong(n, path.a_low, path.a_high);
-  height.most_bend = mostAlong(n, path.a_low, path.a_high);
+  for (int k = 1; k <= path.degree; ++k) height.c[k] = n.dot(path.coefficient(k));
+  const Vector3d a_low = path.aLow(), a_high = path.aHigh();
+  height.least_bend = leastAlong(n, a_low, a_high);
+  height.most_bend = mostAlong(n, a_low, a_high);
   return comesDown(height, path.start, from, until, touchTolerance(path.position(from - path.start), radius));
 }
 
-// The path in the frame of the shape.
-Segment seenFrom(const Shape& shape, const Segment& path)
+// The path in the frame of a shape.
+struct SeenPath
 {
-  const Matrix3d R_SW = shape.R_BS.transpose();
-  Segment seen;
-  seen.start = path.start;
-  seen.end = path.end;
-  seen.degree = path.degree;
-  seen.c[0] = R_SW * (path.c[0] - shape.p_BS);
-  for (int k = 1; k <= path.degree; ++k) seen.c[k] = R_SW * path.c[k];
-  const Vector3d middle = R_SW * (0.5 * (path.a_low + path.a_high));
-  const Vector3d spread = R_SW.cwiseAbs() * (0.5 * (path.a_high - path.a_low));
-  seen.a_low = middle - spread;
-  seen.a_high = middle + spread;
-  return seen;
-}
+  double start;
+  int degree;
+  Vector3d c[Segment::kMaxDegree + 1], a_low, a_high;
+
+  SeenPath(const Shape& shape, const Segment& path) : start(path.start), degree(path.degree)
+  {
+    const Matrix3d R_SW = shape.R_BS.transpose();
+    c[0] = R_SW * (path.c[0] - shape.p_BS);
+    for (int k = 1; k <= degree; ++k) c[k] = R_SW * path.coefficient(k);
+    const Vector3d low = path.aLow(), high = path.aHigh();
+    const Vector3d middle = R_SW * (0.5 * (low + high));
+    const Vector3d spread = R_SW.cwiseAbs() * (0.5 * (high - low));
+    a_low = middle - spread;
+    a_high = middle + spread;
+  }
+  Vector3d position(double s) const { return polynomial().at(s); }
+  Vector3d velocity(double s) const { return polynomial().derivativeAt(s); }
+  Vector3d acceleration(double s) const { return polynomial().secondDerivativeAt(s); }
+
+private:
+  Polynomial polynomial() const { return {degree, c, c + 3}; }
+};
 
 // How far beyond each pair of faces of the shape's bounding box the ball is; negative where it is between them.
 Vector3d beyondFaces(const Vector3d& y, double radius, const Shape& shape)
@@ -51,7 +62,7 @@ Vector3d beyondFaces(const Vector3d& y, double radius, const Shape& shape)
 }
 
 // Height above the face of the bounding box on this side.
-Height heightOver(const Segment& seen, double radius, const Shape& shape, int axis, double side)
+Height heightOver(const SeenPath& seen, double radius, const Shape& shape, int axis, double side)
 {
   Height height;
   height.degree = seen.degree;
@@ -76,7 +87,7 @@ bool overFace(const Vector3d& y, const Shape& shape, int axis)
 // As long as the ball is beyond a face of the bounding box there is no contact. Goes from face to face, the furthest first:
 // a contact on the flat of a face is found like that with a plane. Undecided: none up to that time, when the ball may be at
 // an edge, a corner or a round side.
-Detection meetFaces(const Segment& seen, double radius, const Shape& shape, double from, double until, double tolerance)
+Detection meetFaces(const SeenPath& seen, double radius, const Shape& shape, double from, double until, double tolerance)
 {
   constexpr int kMostFaces = 8;
   constexpr double kInside = 1e-12;  // a face that the ball has come to to rounding [m]
@@ -98,7 +109,7 @@ Detection meetFaces(const Segment& seen, double radius, const Shape& shape, doub
 
 Detection meetShape(const Segment& path, double radius, const Shape& shape, double from, double until)
 {
-  const Segment seen = seenFrom(shape, path);
+  const SeenPath seen(shape, path);
   const double tolerance = touchTolerance(path.position(from - path.start), radius);
   const Detection found = meetFaces(seen, radius, shape, from, until, tolerance);
   if (!found.undecided) return found;

@@ -12,24 +12,28 @@ namespace ping_pong
 {
 namespace
 {
-void startAt(const BallState& state, double start, double spin_decay, Segment& path)
+void startAt(const BallState& state, double start, Segment& path)
 {
   path.start = start;
   path.end = std::numeric_limits<double>::infinity();
   path.c[0] = state.p_WB;
   path.c[1] = state.v_WB;
   path.q_WB = state.q_WB;
-  path.turn_WB.setZero();
   path.w_WB = state.w_WB;
-  path.alpha_WB.setZero();
-  path.spin_decay = spin_decay;
 }
 
 void bendBy(const Vector3d& a, Segment& path)
 {
   path.degree = 2;
   path.c[2] = 0.5 * a;
-  path.a_low = path.a_high = a;
+}
+
+void giveFurtherTerms(double spin_decay, Segment& path)
+{
+  FurtherTerms& further = path.further.make();
+  further.turn_WB.setZero();
+  further.alpha_WB.setZero();
+  further.spin_decay = spin_decay;
 }
 
 // Collocation at N Gauss-Legendre points of (0, 1): the polynomial of degree N - 1 through the accelerations there.
@@ -153,7 +157,7 @@ void layThrough(const typename FlightModel::Rows<N>& a, double h, const Points<N
   double power = h;  // h^2 / h^k, as the coefficients are of tau = s / h
   for (int k = 0; k < N; ++k)
   {
-    path.c[k + 2] = b.row(k).transpose() * (h / power / ((k + 1) * (k + 2)));
+    path.coefficient(k + 2) = b.row(k).transpose() * (h / power / ((k + 1) * (k + 2)));
     power *= h;
   }
   path.end = path.start + h;
@@ -168,8 +172,9 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
   const Vector3d& v0 = path.c[1];
   FlightModel::Column<N> fade = FlightModel::Column<N>::Ones();
   count(N == 4 ? Law::Collocation5 : N == 6 ? Law::Collocation7 : Law::Collocation9);
-  if (path.spin_decay > 0.0) count(Law::SpinDecay, N);
-  if (path.spin_decay > 0.0) fade = (-path.spin_decay * h * points.nodes.array()).exp();
+  const double spin_decay = model.spinDecay();
+  if (spin_decay > 0.0) count(Law::SpinDecay, N);
+  if (spin_decay > 0.0) fade = (-spin_decay * h * points.nodes.array()).exp();
   Rows v = firstGuess<N>(model, path, h, points);
   Rows a;
   // Picard sweeps: each gains one power of h times the rate of the flow.
@@ -276,14 +281,18 @@ void flyThroughAir(const FlightModel& model, double tolerance, Segment& path, do
 Segment flyParabola(const BallState& state, double start, const Vector3d& a)
 {
   Segment path;
-  startAt(state, start, 0.0, path);
+  startAt(state, start, path);
   bendBy(a, path);
   return path;
 }
 
 void fly(const BallState& state, double start, const FlightModel& model, double tolerance, double& step, Segment& path)
 {
-  startAt(state, start, model.spinDecay(), path);
+  startAt(state, start, path);
+  if (model.constant() && model.spinDecay() == 0.0)
+    path.further.reset();
+  else
+    giveFurtherTerms(model.spinDecay(), path);
   if (model.constant()) return bendBy(model.acceleration(state.v_WB, state.w_WB), path);
   const int degree = pieceDegree(tolerance);
   if (degree == 5)

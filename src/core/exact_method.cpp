@@ -69,9 +69,9 @@ bool squeezedBetween(const WorldState& world, const BallRecord& ball, const Ball
     const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
     for (const Shape& shape : body.shapes())
     {
-      const Gap other = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
+      const Gap other = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius);
       if (other.gap > kSqueezeGap || other.n_W.dot(first.n_W) > kOpposed) continue;
-      const Vector3d u_other = frame.pointVelocity(state.p_WB - ball.params.radius * other.n_W);
+      const Vector3d u_other = frame.pointVelocity(state.p_WB - ball.params().radius * other.n_W);
       if (first.n_W.dot(u_first - u_other) > 0.0) return true;
     }
   }
@@ -90,10 +90,10 @@ void settle(const WorldState& world, BallRecord& ball, const Event& event, const
   AccelerationBounds bounds;
   const Vector3d a = smoothAcceleration(world, ball, state, t, bounds);
   const double press = -gapAcceleration(shape, frame, state.p_WB, state.v_WB, a);
-  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius);
-  if (!bouncingEnds(gap.rate, press, touchTolerance(state.p_WB, ball.params.radius))) return;
+  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius);
+  if (!bouncingEnds(gap.rate, press, touchTolerance(state.p_WB, ball.params().radius))) return;
   ball.supports.add(event.other, event.shape);
-  ball.supports.since = t + timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution);
+  ball.supports.setSince(t + timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution));
   state.v_WB -= gap.rate * gap.n_W;
   state.p_WB -= gap.gap * gap.n_W;
 }
@@ -102,10 +102,10 @@ void settle(const WorldState& world, BallRecord& ball, const Event& event, const
 bool passesSeam(const WorldState& world, const BallRecord& ball, const BallState& state, const Gap& gap, double t)
 {
   if (gap.rate < -kKeepSpeed) return false;
-  for (std::size_t i = 0; i < ball.supports.count; ++i)
+  for (std::size_t i = 0; i < ball.supports.count(); ++i)
   {
     const Place place = placeOf(world, ball, i, t);
-    const Gap support = gapTo(place.shape, place.frame, state.p_WB, state.v_WB, ball.params.radius);
+    const Gap support = gapTo(place.shape, place.frame, state.p_WB, state.v_WB, ball.params().radius);
     if (1.0 - support.n_W.dot(gap.n_W) < kSameNormal) return true;
   }
   return false;
@@ -126,21 +126,21 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   const Shape& shape = body.shapes()[event.shape];
   const BodyFrame frame = body.moving ? frameAt(body.motion, t - body.motion.start) : BodyFrame();
   BallState state = ball.stateAt(t);
-  const Gap gap = body.moving ? gapTo(shape, frame, state.p_WB, state.v_WB, ball.params.radius)
-                              : gapTo(shape, state.p_WB, state.v_WB, ball.params.radius);
+  const Gap gap = body.moving ? gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius)
+                              : gapTo(shape, state.p_WB, state.v_WB, ball.params().radius);
   if (passesSeam(world, ball, state, gap, t))
   {
-    ball.passing = {event.other, event.shape, ball.path.end};  // a convex shape stays below its tangent plane
+    ball.supports.pass(event.other, event.shape, ball.path.end);  // a convex shape stays below its tangent plane
     return foreseeAll(world, window, i, t);
   }
-  const Vector3d u = body.moving ? frame.pointVelocity(state.p_WB - ball.params.radius * gap.n_W) : Vector3d::Zero();
+  const Vector3d u = body.moving ? frame.pointVelocity(state.p_WB - ball.params().radius * gap.n_W) : Vector3d::Zero();
   countStreak(ball, t);
   if ((ball.crush > kHopelessCrush && body.moving) ||
       (ball.crush > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
     return squeeze(*window.records, ball, state, t);
   const Surface law = lawOf(world, ball, body, shape);
   const BallState before = state;
-  bounce(law, ball.params, state, u, gap.n_W);
+  bounce(law, ball.params(), state, u, gap.n_W);
   if (worthAReport(ball, -gap.rate))
     recordBodyContact(*window.records, ball, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB}, gap.n_W, u, t);
   settle(world, ball, event, law, frame, state, gap.n_W.dot(state.v_WB - u), t);
@@ -167,7 +167,7 @@ void recordBallContact(Records& records, const BallRecord& a, std::size_t i, con
   contact->with_ball = true;
   contact->other_ball = b.id;
   contact->n_W = n;
-  contact->p_WC = before_a.p_WB - a.params.radius * n;
+  contact->p_WC = before_a.p_WB - a.params().radius * n;
   contact->v_before = before_a.v_WB;
   contact->v_after = after_a.v_WB;
   contact->w_before = before_a.w_WB;
@@ -193,9 +193,9 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
     for (BallRecord* ball : {&a, &b}) window.records->crowding |= countCrowding(*ball, t);
   const double speed = separationSpeed(a, b, closing, law.restitutionAt(closing), n.dot(pull) < 0.0);
   const BallState before_a = state_a;
-  const Vector3d p_WC = state_a.p_WB - a.params.radius * n;
+  const Vector3d p_WC = state_a.p_WB - a.params().radius * n;
   const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
-  const Vector3d impulse = part(law, speed, a.params, state_a, b.params, state_b, n);
+  const Vector3d impulse = part(law, speed, a.params(), state_a, b.params(), state_b, n);
   if (worthAReport(a, closing)) recordBallContact(*window.records, a, i, b, before_a, state_a, v_other, n, impulse, t);
   changePath(world, window, i, state_a, t);
   changePath(world, window, k, state_b, t);
@@ -247,9 +247,9 @@ std::size_t earliestBall(const WorldState& world, const Window& window)
 
 bool liesOnMovedBody(const WorldState& world, const BallRecord& ball)
 {
-  for (std::size_t k = 0; k < ball.supports.count; ++k)
+  for (std::size_t k = 0; k < ball.supports.count(); ++k)
   {
-    const BodyRecord& body = world.bodies[ball.supports.list[k].body];
+    const BodyRecord& body = world.bodies[ball.supports[k].body];
     if (body.moving || body.moved) return true;
   }
   return false;
@@ -352,7 +352,7 @@ void releaseSqueezed(WorldState& world)
     BallRecord& ball = world.balls[i];
     if (!ball.squeezed) continue;
     const BallState state = ball.stateAt(world.time);
-    ball.squeezed = !hasRoom(world, state.p_WB, ball.params.radius, i);
+    ball.squeezed = !hasRoom(world, state.p_WB, ball.params().radius, i);
     world.any_squeezed |= ball.squeezed;
     if (ball.squeezed) continue;
     planPath(world, ball, state, world.time, world.time);

@@ -25,8 +25,9 @@ using Step = void (*)(Flight&, const FlightModel&, double);
 
 void turnNow(Segment& path)
 {
-  path.q_WB = turned(path.q_WB, path.turn_WB, 1.0);
-  path.turn_WB.setZero();
+  if (!path.further) return;
+  path.q_WB = turned(path.q_WB, path.further->turn_WB, 1.0);
+  path.further->turn_WB.setZero();
 }
 
 BallState stateOf(const BallRecord& ball)
@@ -67,7 +68,7 @@ void close(Contact& contact, const BallRecord& ball)
 {
   contact.v_after = ball.path.c[1];
   contact.w_after = ball.path.w_WB;
-  contact.impulse = ball.params.mass * (contact.v_after - contact.v_before);
+  contact.impulse = ball.params().mass * (contact.v_after - contact.v_before);
 }
 
 // --- evolve ---
@@ -79,7 +80,7 @@ void fly(WorldState& world, double h)
   {
     Segment& path = ball.path;
     Flight after{path.c[0], path.c[1], path.w_WB};
-    step(after, ball.model, h);
+    step(after, ball.model(), h);
     if (!std::isfinite(after.p.sum() + after.v.sum()))  // the ball keeps its last finite state
     {
       world.status.not_finite = true;
@@ -88,9 +89,10 @@ void fly(WorldState& world, double h)
     path.c[0] = after.p;
     path.c[1] = after.v;
     if (path.w_WB.isZero(0.0)) continue;
-    path.turn_WB += turnIn(path.w_WB, ball.model.spinDecay(), h);
+    Vector3d& turn_WB = path.further.make().turn_WB;
+    turn_WB += turnIn(path.w_WB, ball.model().spinDecay(), h);
     path.w_WB = after.w;
-    if (path.turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
+    if (turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
   }
 }
 
@@ -141,14 +143,14 @@ void collideWithShape(WorldState& world, BallRecord& ball, std::size_t b, std::s
 {
   const Shape& shape = world.bodies[b].shapes()[s];
   BallState state = stateOf(ball);
-  const Gap gap = gapOf(world.bodies[b], shape, frame, state, ball.params.radius);
+  const Gap gap = gapOf(world.bodies[b], shape, frame, state, ball.params().radius);
   if (gap.gap >= 0.0) return;
   state.p_WB -= gap.gap * gap.n_W;
   if (gap.rate >= 0.0) return store(ball, state);
-  const Vector3d p_WC = state.p_WB - ball.params.radius * gap.n_W;
+  const Vector3d p_WC = state.p_WB - ball.params().radius * gap.n_W;
   const Vector3d u = world.bodies[b].moving ? frame.pointVelocity(p_WC) : Vector3d::Zero();
   Contact* contact = worthAReport(world, -gap.rate, now.h) ? open(world, ball, now.t) : nullptr;
-  bounce(world.surface(ball, shape), ball.params, state, u, gap.n_W);
+  bounce(world.surface(ball, shape), ball.params(), state, u, gap.n_W);
   store(ball, state);
   if (contact == nullptr) return;
   contact->body = b;
@@ -168,7 +170,7 @@ void collideWithMoving(WorldState& world, std::size_t b, const BodyFrame& frame,
       count(meeting(shapes[s].kind));
       count(Law::MeetMoving);
       const Vector3d p_BQ = frame.R_WB.transpose() * (ball.path.c[0] - frame.p_WB);
-      if (!clearOf(shapes[s], p_BQ, ball.params.radius)) collideWithShape(world, ball, b, s, frame, now);
+      if (!clearOf(shapes[s], p_BQ, ball.params().radius)) collideWithShape(world, ball, b, s, frame, now);
     }
 }
 
@@ -180,7 +182,7 @@ void collideWithStill(WorldState& world, std::size_t b, const Instant& now)
     for (std::size_t s = 0; s < body.placed.size(); ++s)
     {
       count(meeting(body.placed[s].kind));
-      const double radius = ball.params.radius;
+      const double radius = ball.params().radius;
       if (!clearOf(body.boxes[s], ball.path.c[0], radius) && !clearOf(body.placed[s], ball.path.c[0], radius))
         collideWithShape(world, ball, b, s, kStill, now);
     }
@@ -203,19 +205,19 @@ void collidePair(WorldState& world, BallRecord& a, BallRecord& b, const Instant&
   BallState state_a = stateOf(a), state_b = stateOf(b);
   const Vector3d d = state_a.p_WB - state_b.p_WB;
   const double distance = d.norm();
-  const double overlap = a.params.radius + b.params.radius - distance;
+  const double overlap = a.params().radius + b.params().radius - distance;
   const Vector3d n = distance > 0.0 ? Vector3d(d / distance) : Vector3d(Vector3d::UnitZ());
-  const double share = b.params.mass / (a.params.mass + b.params.mass);  // the lighter ball gives way further
+  const double share = b.params().mass / (a.params().mass + b.params().mass);  // the lighter ball gives way further
   state_a.p_WB += share * overlap * n;
   state_b.p_WB -= (1.0 - share) * overlap * n;
   const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
   Contact* contact = closing > 0.0 && worthAReport(world, closing, now.h) ? open(world, a, now.t) : nullptr;
-  const Vector3d p_WC = state_a.p_WB - a.params.radius * n;
+  const Vector3d p_WC = state_a.p_WB - a.params().radius * n;
   const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
   if (closing > 0.0)
   {
     const Surface& law = world.surface(a, b);
-    part(law, law.restitutionAt(closing) * closing, a.params, state_a, b.params, state_b, n);
+    part(law, law.restitutionAt(closing) * closing, a.params(), state_a, b.params(), state_b, n);
   }
   store(a, state_a);
   store(b, state_b);
@@ -236,7 +238,7 @@ void collidePairs(WorldState& world, const Instant& now)
       count(Law::PairSearch);
       BallRecord& a = world.balls[i];
       BallRecord& b = world.balls[k];
-      const double reach = a.params.radius + b.params.radius;
+      const double reach = a.params().radius + b.params().radius;
       if ((a.path.c[0] - b.path.c[0]).squaredNorm() < reach * reach) collidePair(world, a, b, now);
     }
 }

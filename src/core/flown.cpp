@@ -61,7 +61,7 @@ double firstMeeting(const BallRecord& a, const BallRecord& b, double until)
   if (a.away() || b.away() || (a.path.degree == 0 && b.path.degree == 0)) return kNever;
   const double from = std::max(a.path.start, b.path.start);
   const double to = std::min({until, a.path.end, b.path.end});
-  return firstContact(a.path, a.params.radius, b.path, b.params.radius, from, to).time;
+  return firstContact(a.path, a.params().radius, b.path, b.params().radius, from, to).time;
 }
 }  // namespace
 
@@ -122,7 +122,7 @@ bool metInFlight(const WorldState& world, const Window& window, std::size_t i, s
 {
   const Glances& glances = world.islands.glances;
   if (!glances[i].bent && !glances[k].bent) return firstMeeting(world, i, k, window.end) <= window.end;
-  const double reach = world.balls[i].params.radius + world.balls[k].params.radius;
+  const double reach = world.balls[i].params().radius + world.balls[k].params().radius;
   return anyPiece(world, window, i,
                   [&](const View& mine)
                   { return anyPiece(world, window, k, [&](const View& other) { return meet(mine, other, reach); }); });

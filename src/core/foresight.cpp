@@ -12,7 +12,7 @@ Event toEvent(const Detection& found, Event::Kind kind, std::size_t other, std::
   event.kind = found.undecided ? Event::Kind::LookAgain : kind;
   event.time = found.time;
   event.other = static_cast<std::uint32_t>(other);
-  event.shape = static_cast<std::uint32_t>(shape);
+  event.shape = static_cast<std::uint16_t>(shape);
   event.version = version;
   return event;
 }
@@ -28,8 +28,7 @@ void lookAtShape(const BallRecord& ball, const BodyRecord& body, std::size_t b, 
                  const Search& search, Event& next)
 {
   if (ball.supports.has(b, s)) return;
-  const bool passing = ball.passing.body == b && ball.passing.shape == s;
-  const Detection found = search(passing ? std::max(t, ball.passing.until) : t, std::min(until, next.time));
+  const Detection found = search(ball.supports.passesUntil(b, s, t), std::min(until, next.time));
   if (found.time < next.time) next = toEvent(found, Event::Kind::HitBody, b, s, body.version);
 }
 
@@ -39,7 +38,7 @@ void lookAtStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t
   {
     if (!way.overlaps(body.boxes[s])) continue;
     const auto search = [&](double from, double until) {
-      return firstContact(ball.path, ball.params.radius, body.placed[s], from, until);
+      return firstContact(ball.path, ball.params().radius, body.placed[s], from, until);
     };
     lookAtShape(ball, body, b, s, t, kNever, search, next);
   }
@@ -50,7 +49,7 @@ void lookAtMovingBody(const BallRecord& ball, const BodyRecord& body, std::size_
   for (std::size_t s = 0; s < body.body.shapes.size(); ++s)
   {
     const auto search = [&](double from, double before) {
-      return firstContact(ball.path, ball.params.radius, body.body.shapes[s], body.motion, from, before);
+      return firstContact(ball.path, ball.params().radius, body.body.shapes[s], body.motion, from, before);
     };
     lookAtShape(ball, body, b, s, t, until, search, next);
   }
@@ -97,10 +96,10 @@ void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume,
   const double until = std::min(mine.next_ball.time, window_end);
   const double from = std::max({mine.path.start, other.path.start, resume});
   const BallRecord &first = world.balls[std::min(i, k)], &second = world.balls[std::max(i, k)];
-  const Detection found = firstContact(first.path, first.params.radius, second.path, second.params.radius, from, until);
+  const Detection found = firstContact(first.path, first.params().radius, second.path, second.params().radius, from, until);
   if (!(found.time < mine.next_ball.time)) return;
-  mine.next_ball = toEvent(found, Event::Kind::HitBall, k, kNone, other.version);
-  if (found.time < other.next_ball.time) other.next_ball = toEvent(found, Event::Kind::HitBall, i, kNone, mine.version);
+  mine.next_ball = toEvent(found, Event::Kind::HitBall, k, 0, other.version);
+  if (found.time < other.next_ball.time) other.next_ball = toEvent(found, Event::Kind::HitBall, i, 0, mine.version);
 }
 
 void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end)

@@ -26,7 +26,7 @@ void Glances::reserve(std::size_t balls)
 bool Glances::is(std::uint16_t kind, const BallRecord& ball) const
 {
   const GlanceKind& it = kinds_[kind];
-  return it.how == howOf(ball) && it.radius == ball.params.radius &&
+  return it.how == howOf(ball) && it.radius == ball.params().radius &&
          (it.how == GlanceKind::How::Lies || it.half_a == ball.path.c[2]);
 }
 
@@ -64,7 +64,7 @@ void Glances::lookAtAll(const std::vector<BallRecord>& balls)
     const bool new_kind = list_[i].kind == kAskRecord && how != GlanceKind::How::AskRecord;
     const bool rolls = how == GlanceKind::How::Flies && !ball.supports.none();
     if (!new_kind || rolls || kinds_.size() == kMostKinds) continue;
-    kinds_.push_back({how, ball.params.radius, how == GlanceKind::How::Flies ? ball.path.c[2] : Vector3d(Vector3d::Zero())});
+    kinds_.push_back({how, ball.params().radius, how == GlanceKind::How::Flies ? ball.path.c[2] : Vector3d(Vector3d::Zero())});
     list_[i].kind = static_cast<std::uint16_t>(kinds_.size() - 1);
   }
   known_ = true;

@@ -39,7 +39,7 @@ Box boxAround(const BallRecord& ball, double start, double end)
   const double a = ball.piled ? 0.0 : ball.path.accelerationBound();
   const Vector3d p = ball.path.position(start - ball.path.start);
   const double speed = ball.path.velocity(start - ball.path.start).norm();
-  const double reach = ball.params.radius + T * (speed + 0.5 * T * a) + kNear;
+  const double reach = ball.params().radius + T * (speed + 0.5 * T * a) + kNear;
   Box box;
   box.low = p.array() - reach;
   box.high = p.array() + reach;

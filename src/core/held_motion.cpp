@@ -104,7 +104,7 @@ void rubOnOne(HeldMotion& motion, const Place& place, const BallParams& ball, co
 
 Place placeOf(const WorldState& world, const BallRecord& ball, std::size_t support, double t)
 {
-  const Supports::Surface& surface = ball.supports.list[support];
+  const Supports::Surface& surface = ball.supports[support];
   const BodyRecord& body = world.bodies[surface.body];
   const Shape& shape = body.shapes()[surface.shape];
   return {shape, world.surface(ball, shape), frameAt(body.frame(), t - body.frame().start)};
@@ -121,14 +121,14 @@ Vector3d slipOver(const Place& place, const BallParams& ball, const BallState& s
 Vector3d smoothAcceleration(const WorldState& world, const BallRecord& ball, const BallState& state, double t,
                             AccelerationBounds& bounds)
 {
-  bounds.count = ball.supports.count;
-  for (std::size_t i = 0; i < ball.supports.count; ++i)
+  bounds.count = ball.supports.count();
+  for (std::size_t i = 0; i < ball.supports.count(); ++i)
   {
     const Place place = placeOf(world, ball, i, t);
     bounds.list[i].n = normalOf(place, state.p_WB);
     bounds.list[i].b = -gapAcceleration(place.shape, place.frame, state.p_WB, state.v_WB, Vector3d::Zero());
   }
-  return constrainedAcceleration(ball.model.acceleration(state.v_WB, state.w_WB), bounds);
+  return constrainedAcceleration(ball.model().acceleration(state.v_WB, state.w_WB), bounds);
 }
 
 HeldMotion heldMotion(const WorldState& world, const BallRecord& ball, const BallState& state, double t,
@@ -146,25 +146,25 @@ HeldMotion heldMotion(const WorldState& world, const BallRecord& ball, const Bal
   }
   if (!rough) return motion;
   Vector3d rubbed = Vector3d::Zero();
-  if (loaded > 1) rubbed = ball.model.acceleration(state.v_WB, state.w_WB);
+  if (loaded > 1) rubbed = ball.model().acceleration(state.v_WB, state.w_WB);
   // Friction must not turn the slip round within a step of the integration.
-  const double fastest = 0.5 / ((1.0 + 1.0 / ball.params.inertia) * (grip_time > 0.0 ? grip_time : kStep));
+  const double fastest = 0.5 / ((1.0 + 1.0 / ball.params().inertia) * (grip_time > 0.0 ? grip_time : kStep));
   for (std::size_t i = 0; i < bounds.count; ++i)
   {
     if (bounds.load[i] <= 0.0) continue;
     const Place place = placeOf(world, ball, i, t);
     if (loaded == 1)
     {
-      rubOnOne(motion, place, ball.params, state, bounds.load[i], grip_time);
+      rubOnOne(motion, place, ball.params(), state, bounds.load[i], grip_time);
       return motion;
     }
     if (!(place.law.friction > 0.0)) continue;
     count(Law::Friction);
-    const Vector3d slip = slipOver(place, ball.params, state);
+    const Vector3d slip = slipOver(place, ball.params(), state);
     const double rate = place.law.friction * bounds.load[i] / std::max(slip.norm(), kSoftSlip);
     const Vector3d f = -std::min(rate, fastest) * slip;
     rubbed += f;
-    push(motion, ball.params, bounds.list[i].n, f);
+    push(motion, ball.params(), bounds.list[i].n, f);
   }
   motion.a = constrainedAcceleration(rubbed, bounds);  // friction on one surface presses on the others
   return motion;

@@ -31,16 +31,16 @@ Ground groundOf(const WorldState& world, const BallRecord& ball, const Event& ev
   const BodyRecord& body = world.bodies[event.other];
   const Shape& plane = body.placed[event.shape];
   const Vector3d n = plane.R_BS.col(2);
-  const Vector3d a = ball.model.acceleration(Vector3d::Zero(), Vector3d::Zero());
+  const Vector3d a = ball.model().acceleration(Vector3d::Zero(), Vector3d::Zero());
   return {plane, world.surface(ball, plane), n, a, -n.dot(a), world.bodies.size() == 1 && body.placed.size() == 1};
 }
 
 bool hopsOn(const WorldState& world, const BallRecord& ball, const Event& event)
 {
-  if (event.kind != Event::Kind::HitBody || world.any_moving || ball.path.degree != 2 || !ball.model.constant()) return false;
+  if (event.kind != Event::Kind::HitBody || world.any_moving || ball.path.degree != 2 || !ball.model().constant()) return false;
   const BodyRecord& body = world.bodies[event.other];
   return body.version == event.version && body.placed[event.shape].kind == ShapeKind::HalfSpace && ball.supports.none() &&
-         ball.path.w_WB.isZero(0.0) && ball.path.turn_WB.isZero(0.0) && ball.crush < kLongStreak;
+         ball.path.w_WB.isZero(0.0) && ball.path.turn_WB().isZero(0.0) && ball.crush < kLongStreak;
 }
 
 bool slips(const Ground& ground, const Vector3d& v)
@@ -74,13 +74,13 @@ void setPath(BallRecord& ball, const Vector3d& p, const Vector3d& v, double t)
   ball.path.c[0] = p;
   ball.path.c[1] = v;
   ++ball.version;
-  ball.passing = Passing();
+  ball.supports.passNone();
 }
 
 void foreseeHop(WorldState& world, std::size_t i, const Ground& ground, double t)
 {
   BallRecord& ball = world.balls[i];
-  const Detection found = fallOnPlane(ball.path, ball.params.radius, ground.n, ground.plane, t, t + kHorizon);
+  const Detection found = fallOnPlane(ball.path, ball.params().radius, ground.n, ground.plane, t, t + kHorizon);
   if (!found.found() || othersInTheWay(world, ball, ground, t, found.time)) return foresee(world, i, t);
   count(Law::MeetHalfSpace);
   ball.next.time = found.time;  // the rest is what it was
@@ -98,7 +98,7 @@ bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Groun
   const double closing = -ground.n.dot(before);
   if (!(closing > 0.0) || slips(ground, before)) return false;
   const Vector3d after = before + ((1.0 + ground.law.restitutionAt(closing)) * closing) * ground.n;
-  if (settles(ground, p, after, ball.params.radius)) return false;
+  if (settles(ground, p, after, ball.params().radius)) return false;
   count(Law::Restitution);
   countStreak(ball, t);
   if (worthAReport(ball, closing))

@@ -61,7 +61,7 @@ void flyOn(BallRecord& ball, const Flight1& now, double t, std::size_t hops)
   path.c[0] = placeOf(now);
   path.c[1] = {path.c[1].x() + 0.0, path.c[1].y() + 0.0, now.v};  // no -0, as in hop.cpp
   ball.version += static_cast<std::uint32_t>(hops);
-  ball.passing = Passing();
+  ball.supports.passNone();
   ball.next.time = t;
 }
 
@@ -81,7 +81,7 @@ std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, c
 {
   BallRecord& ball = world.balls[i];
   Segment& path = ball.path;
-  const double radius = ball.params.radius;
+  const double radius = ball.params().radius;
   Flight1 now{path.start, path.c[0].x(), path.c[0].y(), path.c[0].z(), path.c[1].z()};
   Flight1 first{};  // from the first bounce on
   double t = ball.next.time, longest = 0.0;

@@ -21,12 +21,12 @@ bool same(const BallParams& a, const BallParams& b)
 std::uint16_t kindOf(Pile& pile, const BallRecord& ball)
 {
   for (std::size_t k = 0; k < pile.kinds.size(); ++k)
-    if (same(pile.kinds[k].params, ball.params)) return static_cast<std::uint16_t>(k);
-  BallKind kind{ball.params, ball.model};
-  if (ball.model.constant()) kind.a = ball.model.acceleration(Vector3d::Zero(), Vector3d::Zero());
-  kind.spin_per_impulse = 1.0 / (ball.params.inertia * ball.params.radius);
-  kind.inverse_mass = 1.0 / ball.params.mass;
-  kind.give = 1.0 + 1.0 / ball.params.inertia;
+    if (same(pile.kinds[k].params, ball.params())) return static_cast<std::uint16_t>(k);
+  BallKind kind{ball.params(), ball.model()};
+  if (ball.model().constant()) kind.a = ball.model().acceleration(Vector3d::Zero(), Vector3d::Zero());
+  kind.spin_per_impulse = 1.0 / (ball.params().inertia * ball.params().radius);
+  kind.inverse_mass = 1.0 / ball.params().mass;
+  kind.give = 1.0 + 1.0 / ball.params().inertia;
   pile.kinds.push_back(kind);
   return static_cast<std::uint16_t>(pile.kinds.size() - 1);
 }
@@ -135,7 +135,7 @@ void addToPile(WorldState& world, std::uint32_t ball, double time)
   pile.w.emplace_back();
   pile.q.push_back(Quaterniond::Identity());
   pile.changes.emplace_back();
-  if (!world.balls[ball].model.constant()) pile.a.push_back(Vector3d::Zero());
+  if (!world.balls[ball].model().constant()) pile.a.push_back(Vector3d::Zero());
   pile.home.emplace_back();
   pile.sweep.push_back(Eigen::Vector3f::Zero());
   pile.anchor.push_back(Eigen::Vector3f::Zero());

@@ -28,7 +28,7 @@ void sleep(WorldState& world, std::size_t i)
   pile.voidActive(i);
   BallRecord& ball = world.balls[pile.ball[i]];
   ball.asleep = true;
-  ball.supports.since = pile.start + pile.h - static_cast<double>(pile.still[i]);
+  ball.supports.setSince(pile.start + pile.h - static_cast<double>(pile.still[i]));
   storeBall(world, i, pile.start + pile.h);
 }
 

@@ -38,7 +38,7 @@ void lookAtBalls(const WorldState& world, const Vector3d& p_WB, double radius, s
     if (i == except || other.squeezed) continue;
     const Vector3d d = p_WB - other.stateAt(world.time).p_WB;
     const double distance = d.norm();
-    const double gap = distance - radius - other.params.radius;
+    const double gap = distance - radius - other.params().radius;
     if (gap >= deepest.gap) continue;
     const Vector3d n = distance > 0.0 ? Vector3d(d / distance) : Vector3d(Vector3d::UnitZ());
     deepest = {gap, n, nullptr, other.id};

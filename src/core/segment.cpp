@@ -6,52 +6,37 @@
 #include "count.h"
 #include "ping_pong_sim/evolve.h"
 #include "fixed_flight.h"
+#include "polynomial.h"
 
 namespace ping_pong
 {
-Vector3d Segment::positionOnPolynomial(double s) const
+namespace
 {
-  Vector3d sum = c[degree];
-  for (int k = degree - 1; k >= 0; --k) sum = sum * s + c[k];
-  return sum;
+Polynomial polynomialOf(const Segment& path)
+{
+  return {path.degree, path.c.data(), path.further ? path.further->c.data() : nullptr};
 }
+}  // namespace
 
-Vector3d Segment::velocityOnPolynomial(double s) const
-{
-  if (degree < 1) return Vector3d::Zero();
-  Vector3d sum = degree * c[degree];
-  for (int k = degree - 1; k >= 1; --k) sum = sum * s + k * c[k];
-  return sum;
-}
-
-Vector3d Segment::acceleration(double s) const
-{
-  if (degree < 2) return Vector3d::Zero();
-  Vector3d sum = degree * (degree - 1) * c[degree];
-  for (int k = degree - 1; k >= 2; --k) sum = sum * s + k * (k - 1) * c[k];
-  return sum;
-}
+Vector3d Segment::positionOnPolynomial(double s) const { return polynomialOf(*this).at(s); }
+Vector3d Segment::velocityOnPolynomial(double s) const { return polynomialOf(*this).derivativeAt(s); }
+Vector3d Segment::acceleration(double s) const { return polynomialOf(*this).secondDerivativeAt(s); }
 
 Vector3d Segment::spin(double s) const
 {
-  if (spin_decay > 0.0) count(Law::SpinDecay);
-  const Vector3d w = spin_decay > 0.0 ? Vector3d(std::exp(-spin_decay * s) * w_WB) : w_WB;
-  return w + s * alpha_WB;
+  const double decay = spinDecay();
+  if (decay > 0.0) count(Law::SpinDecay);
+  const Vector3d w = decay > 0.0 ? Vector3d(std::exp(-decay * s) * w_WB) : w_WB;
+  return w + s * alpha_WB();
 }
 
 BallState Segment::state(double s) const
 {
-  if (w_WB.isZero(0.0) && alpha_WB.isZero(0.0) && turn_WB.isZero(0.0)) return {position(s), q_WB, velocity(s), w_WB};
+  const Vector3d turned_before = turn_WB(), alpha = alpha_WB();
+  if (w_WB.isZero(0.0) && alpha.isZero(0.0) && turned_before.isZero(0.0)) return {position(s), q_WB, velocity(s), w_WB};
   // Exact where the axis keeps its direction; a ball that starts to roll while it spins about the normal turns nearly so.
-  const Vector3d turn = turn_WB + turnIn(w_WB, spin_decay, s) + (0.5 * s * s) * alpha_WB;
+  const Vector3d turn = turned_before + turnIn(w_WB, spinDecay(), s) + (0.5 * s * s) * alpha;
   return {position(s), turned(q_WB, turn, 1.0), velocity(s), spin(s)};
-}
-
-std::array<Vector3d, Segment::kMaxDegree + 1> Segment::zeros()
-{
-  std::array<Vector3d, kMaxDegree + 1> c;
-  c.fill(Vector3d::Zero());
-  return c;
 }
 
 namespace
@@ -77,19 +62,20 @@ struct ToBernstein
 void Segment::boundAcceleration()
 {
   static const ToBernstein to_bernstein;
-  a_low = a_high = degree < 2 ? Vector3d(Vector3d::Zero()) : Vector3d(2.0 * c[2]);
   if (degree <= 2) return;
   const int n = degree - 2;
   const double h = end - start;
   std::array<Vector3d, kMaxDegree - 1> powers;
   double power = 1.0;
-  for (int k = 0; k <= n; ++k, power *= h) powers[k] = (k + 2) * (k + 1) * power * c[k + 2];
+  for (int k = 0; k <= n; ++k, power *= h) powers[k] = (k + 2) * (k + 1) * power * coefficient(k + 2);
+  Vector3d &low = further->a_low, &high = further->a_high;
+  low = high = 2.0 * c[2];
   for (int i = 1; i <= n; ++i)
   {
     Vector3d b = powers[0];
     for (int k = 1; k <= i; ++k) b += to_bernstein.factor[n][i][k] * powers[k];
-    a_low = a_low.cwiseMin(b);
-    a_high = a_high.cwiseMax(b);
+    low = low.cwiseMin(b);
+    high = high.cwiseMax(b);
   }
 }
 }  // namespace ping_pong

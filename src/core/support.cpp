@@ -78,22 +78,50 @@ double scaleOf(const Vector3d& free, const AccelerationBounds& bounds)
 }
 }  // namespace
 
-bool Supports::has(std::size_t body, std::size_t shape) const
+namespace
+{
+Supports::Surface surface(std::size_t body, std::size_t shape)
+{
+  return {static_cast<std::uint16_t>(body), static_cast<std::uint16_t>(shape)};
+}
+}  // namespace
+
+bool Supports::List::has(std::size_t body, std::size_t shape) const
 {
   for (std::size_t i = 0; i < count; ++i)
-    if (list[i].body == body && list[i].shape == shape) return true;
+    if (surfaces[i].body == body && surfaces[i].shape == shape) return true;
   return false;
 }
 
 void Supports::add(std::size_t body, std::size_t shape)
 {
-  if (count < kMax && !has(body, shape)) list[count++] = {static_cast<std::uint32_t>(body), static_cast<std::uint32_t>(shape)};
+  List& list = list_.make();
+  if (list.count < kMax && !list.has(body, shape)) list.surfaces[list.count++] = surface(body, shape);
 }
 
 void Supports::remove(std::size_t index)
 {
-  for (std::size_t i = index; i + 1 < count; ++i) list[i] = list[i + 1];
-  --count;
+  List& list = *list_;
+  for (std::size_t i = index; i + 1 < list.count; ++i) list.surfaces[i] = list.surfaces[i + 1];
+  if (--list.count == 0) list_.reset();
+}
+
+void Supports::pass(std::size_t body, std::size_t shape, double until)
+{
+  List& list = list_.make();
+  list.passing = surface(body, shape);
+  list.passing_until = until;
+}
+
+void Supports::passNone()
+{
+  if (list_) list_->passing_until = -kNever;
+}
+
+double Supports::passesUntil(std::size_t body, std::size_t shape, double from) const
+{
+  if (!list_ || list_->passing.body != body || list_->passing.shape != shape) return from;
+  return std::max(from, list_->passing_until);
 }
 
 Vector3d constrainedAcceleration(const Vector3d& free, AccelerationBounds& bounds)

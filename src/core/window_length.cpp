@@ -38,7 +38,7 @@ void WindowLength::estimate(const WorldState& world)
   {
     const BallState state = ball.stateAt(world.time);
     centres.add({state.p_WB, state.p_WB});
-    diameters += 2.0 * ball.params.radius;
+    diameters += 2.0 * ball.params().radius;
     squared_speeds += state.v_WB.squaredNorm();
   }
   const double diameter = diameters / n;

@@ -58,7 +58,7 @@ BallState normalized(BallState state)
 // Whether two balls overlap by more than half of what hasRoom() lets pass.
 bool spheresOverlap(const BallRecord& a, const BallRecord& b, double time)
 {
-  const double reach = a.params.radius + b.params.radius - 0.5 * kTouching;
+  const double reach = a.params().radius + b.params().radius - 0.5 * kTouching;
   return (a.path.position(time - a.path.start) - b.path.position(time - b.path.start)).squaredNorm() < reach * reach;
 }
 
@@ -87,6 +87,7 @@ struct World::Impl : WorldState
 
   void start();
   BallRecord& add(const BallParams& params, const BallState& state);
+  void remove(std::size_t index);
   double later(double duration);
   double movePaddles(double end);
   void runMethod(double end);
@@ -101,15 +102,18 @@ struct World::Impl : WorldState
 
 void World::Impl::start()
 {
+  std::vector<SceneBall> loaded_balls;
+  loaded_balls.swap(loaded.balls);  // they are not copied
   scene = loaded;
+  loaded_balls.swap(loaded.balls);
   scene.method = chooseMethod(loaded).method;
   time = time_rest = 0.0;
   next_id = 0;
   contacts.clear();
   origins.clear();
   status = StepStatus();
-  scene.balls = {};  // they are in `loaded`
   balls.clear();
+  types.clear();
   balls.reserve(loaded.balls.size());
   clearPile(pile);
   bodies.clear();
@@ -128,10 +132,9 @@ void World::Impl::start()
 
 BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
 {
-  BallRecord ball(next_id++, params, scene.forces);
+  BallRecord& ball = balls.emplace_back(next_id++, types.of(params, scene.forces));
   ball.path = flyParabola(state, time, Vector3d::Zero());
-  balls.push_back(ball);
-  return balls.back();
+  return ball;
 }
 
 // Memory for all that a tick needs: it is not taken while the world moves on. Balls that come one by one find it taken
@@ -145,6 +148,8 @@ void World::Impl::makeSpace()
   space_for = space_for == 0 ? balls.size() : std::max(balls.size(), 2 * space_for);
   takeMemory(contacts, kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
   takeMemory(origins, contacts.capacity());
+  Pooled<FurtherTerms>::reserve(2 * space_for, workers.count());  // of balls, and of balls at the start of a window
+  Supports::reserve(2 * space_for, workers.count());
   const bool may_pile_up = eventByEvent(scene.method) && balls.size() > 1;
   if (may_pile_up) islands.reserve(space_for, workers.count());
   if (may_pile_up || scene.method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
@@ -168,6 +173,14 @@ void World::Impl::planBall(std::size_t index)
     addToPile(*this, static_cast<std::uint32_t>(index), time);
   else
     restatePile(*this, static_cast<std::uint32_t>(index));
+}
+
+void World::Impl::remove(std::size_t index)
+{
+  const BallType* type = balls[index].type;
+  balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(index));
+  const auto has_it = [type](const BallRecord& ball) { return ball.type == type; };
+  if (std::none_of(balls.begin(), balls.end(), has_it)) types.forget(*type);
 }
 
 // Neumaier's compensated sum.
@@ -244,7 +257,7 @@ void World::Impl::makeRoom()
   {
     const bool piled = balls[i].piled || scene.method == Method::Impulse;
     BallState state = balls[i].stateAt(time);
-    const double radius = balls[i].params.radius;
+    const double radius = balls[i].params().radius;
     const bool free = piled ? !overlapsABody(*this, state.p_WB, radius)
                             : overlapping[i] ? hasRoom(*this, state.p_WB, radius, i) : hasRoomAmongBodies(*this, state.p_WB, radius);
     if (free) continue;
@@ -277,7 +290,7 @@ void World::Impl::letGo(std::size_t body)
   for (BallRecord& ball : balls)
   {
     bool lay_there = false;
-    for (std::size_t i = 0; i < ball.supports.count; ++i) lay_there |= ball.supports.list[i].body == body;
+    for (std::size_t i = 0; i < ball.supports.count(); ++i) lay_there |= ball.supports[i].body == body;
     if (lay_there) ball.supports = Supports();
   }
 }
@@ -293,9 +306,9 @@ void World::Impl::countTroubles()
   }
 }
 
-World::World(const Scene& scene) : impl_(std::make_unique<Impl>())
+World::World(Scene scene) : impl_(std::make_unique<Impl>())
 {
-  impl_->loaded = scene;
+  impl_->loaded = std::move(scene);
   impl_->start();
 }
 
@@ -340,20 +353,20 @@ std::size_t World::findBall(BallId id) const
   return found != balls.end() && found->id == id ? static_cast<std::size_t>(found - balls.begin()) : kNone;
 }
 
-const BallParams& World::ballParams(std::size_t index) const { return impl_->balls[index].params; }
+const BallParams& World::ballParams(std::size_t index) const { return impl_->balls[index].params(); }
 BallState World::ballState(std::size_t index) const { return impl_->balls[index].stateAt(impl_->time); }
 
 bool World::resting(std::size_t index) const
 {
   const BallRecord& ball = impl_->balls[index];
   if (ball.asleep) return true;
-  return !ball.supports.none() && ball.path.degree == 0 && ball.supports.since <= impl_->time;
+  return !ball.supports.none() && ball.path.degree == 0 && ball.supports.since() <= impl_->time;
 }
 
 double World::restingSince(std::size_t index) const
 {
   const BallRecord& ball = impl_->balls[index];
-  return ball.supports.none() && !ball.asleep ? std::nan("") : ball.supports.since;
+  return ball.supports.none() && !ball.asleep ? std::nan("") : ball.supports.since();
 }
 
 std::size_t World::bodyCount() const { return impl_->bodies.size(); }
@@ -385,10 +398,10 @@ Totals World::totals() const
   for (const BallRecord& ball : impl_->balls)
   {
     const BallState state = ball.stateAt(impl_->time);
-    const double m = ball.params.mass;
-    const double r = ball.params.radius;
+    const double m = ball.params().mass;
+    const double r = ball.params().radius;
     sum.kinetic += 0.5 * m * state.v_WB.squaredNorm();
-    sum.rotational += 0.5 * (ball.params.inertia * m * r * r) * state.w_WB.squaredNorm();
+    sum.rotational += 0.5 * (ball.params().inertia * m * r * r) * state.w_WB.squaredNorm();
     sum.potential -= m * impl_->scene.forces.gravity.dot(state.p_WB);
     sum.momentum += m * state.v_WB;
   }
@@ -432,7 +445,7 @@ Refusal World::deleteBall(BallId id)
   if (index == kNone) return {"ball: no ball_" + std::to_string(id)};
   if (!impl_->pile.ball.empty()) removeFromPile(impl_->pile, static_cast<std::uint32_t>(index));
   impl_->islands.glances.forget();
-  impl_->balls.erase(impl_->balls.begin() + static_cast<std::ptrdiff_t>(index));
+  impl_->remove(index);
   return {};
 }
 
@@ -443,7 +456,7 @@ Refusal World::setBallState(BallId id, const BallState& state)
   std::string reason = refuseState(state);
   if (!reason.empty()) return {reason};
   BallRecord& ball = impl_->balls[index];
-  reason = describeOverlap(*impl_, state.p_WB, ball.params.radius, index);
+  reason = describeOverlap(*impl_, state.p_WB, ball.params().radius, index);
   if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
   if (ball.piled) leavePile(*impl_, static_cast<std::uint32_t>(index), impl_->time, impl_->time);
   ball.squeezed = false;

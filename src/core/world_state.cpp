@@ -42,15 +42,15 @@ Box boxOf(const ParabolaView& path, double radius, double from, double to)
 Box boxOf(const BallRecord& ball, double from, double to)
 {
   const Segment& path = ball.path;
-  if (path.degree == 2) return boxOf(ParabolaView(path), ball.params.radius, from, to);
+  if (path.degree == 2) return boxOf(ParabolaView(path), ball.params().radius, from, to);
   const double s = std::max(from - path.start, 0.0);
   const double T = std::max(to - path.start - s, 0.0);
-  const Vector3d p = path.position(s), v = path.velocity(s);
+  const Vector3d p = path.position(s), v = path.velocity(s), a_low = path.aLow(), a_high = path.aHigh();
   Box box;
   for (int i = 0; i < 3; ++i)
   {
-    box.low[i] = p[i] + leastOn(v[i], path.a_low[i], T) - ball.params.radius;
-    box.high[i] = p[i] - leastOn(-v[i], -path.a_high[i], T) + ball.params.radius;
+    box.low[i] = p[i] + leastOn(v[i], a_low[i], T) - ball.params().radius;
+    box.high[i] = p[i] - leastOn(-v[i], -a_high[i], T) + ball.params().radius;
   }
   return box;
 }

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <vector>
 
+#include "ball_types.h"
 #include "broad_phase.h"
 #include "glance.h"
 #include "outlook.h"
@@ -35,49 +36,41 @@ struct Event
 
   double time = kNever;           ///< world time [s]
   std::uint32_t other = kNobody;  ///< index of body or ball
-  std::uint32_t shape = kNobody;
   std::uint32_t version = 0;      ///< of the other when this was foreseen: another one makes it void
+  std::uint16_t shape = 0;        ///< of the body
   Kind kind = Kind::None;
 };
 
-/// A shape whose contacts are not looked for on this path: it continues a face that the ball slides over.
-struct Passing
-{
-  std::uint32_t body = Event::kNobody;
-  std::uint32_t shape = Event::kNobody;
-  double until = 0.0;  ///< [s]
-};
-
-/// What every window looks at comes first: it shares few lines of the cache.
+/// Thousands of them are a long way through memory: what many have in common, and what few have, is elsewhere.
 struct BallRecord
 {
-  BallId id = 0;
-  bool squeezed = false;
-  bool piled = false;      ///< handed over to the pile, see handover.h
-  bool asleep = false;     ///< in the pile, see pile.h
-  bool overflows = false;  ///< a step of fixed length from here has no finite end: the path goes straight on
-  bool met = false;        ///< has hit a ball in this window; false between windows
+  const BallType* type;
+  BallId id;
   std::uint32_t run = 0;   ///< of its island in this window: what an earlier run has recorded has not happened; 0 between windows
   Event next;              ///< with still bodies; holds until the path changes
   Event next_moving;       ///< with moving bodies; holds for this window
   Event next_ball;         ///< with balls of the same island; holds for this window, none between windows
-  BallParams params;
-  Segment path;
-  FlightModel model;
   Supports supports;
-  std::uint32_t version = 0;
-  int crowding = 0;               ///< contacts with other balls since then, see handover.h
-  double crowded_since = -1e300;  ///< [s]
+  Segment path;
   double step = 0.0;              ///< length of the next piece of flight through air, 0: unknown [s]
-  int streak = 0;                 ///< contacts in quick succession, see exact_method.cpp
-  int crush = 0;                  ///< contacts in even quicker succession
   double last_contact = -1e300;   ///< [s]
-  Passing passing;
+  double crowded_since = -1e300;  ///< [s]
+  std::int32_t crowding = 0;      ///< contacts with other balls since then, see handover.h
+  std::int32_t streak = 0;        ///< contacts in quick succession, see exact_method.cpp
+  std::int32_t crush = 0;         ///< contacts in even quicker succession
+  std::uint32_t version = 0;      ///< of the path
+  bool squeezed : 1;
+  bool piled : 1;          ///< handed over to the pile, see handover.h
+  bool asleep : 1;         ///< in the pile, see pile.h
+  bool overflows : 1;      ///< a step of fixed length from here has no finite end: the path goes straight on
+  bool met : 1;            ///< has hit a ball in this window; false between windows
 
-  BallRecord(BallId its_id, const BallParams& its_params, const Forces& forces)
-    : id(its_id), params(its_params), model(forces, its_params)
+  BallRecord(BallId its_id, const BallType& its_type)
+    : type(&its_type), id(its_id), squeezed(false), piled(false), asleep(false), overflows(false), met(false)
   {
   }
+  const BallParams& params() const { return type->first; }
+  const FlightModel& model() const { return type->second; }
   /// The exact method has nothing to do with it.
   bool away() const { return squeezed || piled; }
   BallState stateAt(double time) const { return path.state(time - path.start); }
@@ -220,6 +213,7 @@ struct WorldState : Records
 {
   Scene scene;
   double time = 0.0;  ///< [s]
+  BallTypes types;
   std::vector<BallRecord> balls;
   std::vector<BodyRecord> bodies;
   bool any_moving = false;                ///< any body, in this window
@@ -229,11 +223,11 @@ struct WorldState : Records
 
   const Surface& surface(const BallRecord& ball, const Shape& shape) const
   {
-    return scene.surfaces.at(ball.params.material, shape.material);
+    return scene.surfaces.at(ball.params().material, shape.material);
   }
   const Surface& surface(const BallRecord& a, const BallRecord& b) const
   {
-    return scene.surfaces.at(a.params.material, b.params.material);
+    return scene.surfaces.at(a.params().material, b.params().material);
   }
 };
 

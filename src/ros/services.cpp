@@ -178,14 +178,14 @@ void Services::offerLoadScene(ros::NodeHandle& nh)
   {
     try
     {
-      const ping_pong::Scene scene = loadSceneFor(node_.params(), request.scene);
+      ping_pong::Scene scene = loadSceneFor(node_.params(), request.scene);
       std::string failure = "shutting down";
       node_.jobs().run(
           [&]
           {
             try
             {
-              node_.load(scene);
+              node_.load(std::move(scene));
               failure.clear();
             }
             catch (const std::exception& error)

@@ -191,9 +191,9 @@ void SimNode::step(double duration, Step::Response& response)
   fillPaddles(simulation_, response.paddles);
 }
 
-void SimNode::load(const ping_pong::Scene& scene)
+void SimNode::load(ping_pong::Scene scene)
 {
-  simulation_.load(scene);
+  simulation_.load(std::move(scene));
   states_.forgetPast();
   markers_.forgetPast();
   markers_.publishBodies();

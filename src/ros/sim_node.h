@@ -44,7 +44,7 @@ public:
   void setPaused(bool paused);
   void reset();
   void step(double duration, Step::Response& response);
-  void load(const ping_pong::Scene& scene);
+  void load(ping_pong::Scene scene);
   /// The trail of a ball that was put elsewhere.
   void forgetTrail(ping_pong::BallId ball) { markers_.forgetPast(ball); }
   /// To be called after any change from outside: shows it, also while paused.

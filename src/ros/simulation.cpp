@@ -17,7 +17,7 @@ std::string warningOf(const ping_pong::StepStatus& status)
 }
 }  // namespace
 
-Simulation::Simulation(const NodeParams& params, const ping_pong::Scene& scene, ros::NodeHandle& command_nh,
+Simulation::Simulation(const NodeParams& params, ping_pong::Scene scene, ros::NodeHandle& command_nh,
                        Rejections& rejections, const ros::Time& start)
     : params_(params),
       command_nh_(command_nh),
@@ -26,7 +26,7 @@ Simulation::Simulation(const NodeParams& params, const ping_pong::Scene& scene, 
       feed_(params.feed),
       props_(params.props)
 {
-  load(scene);
+  load(std::move(scene));
 }
 
 void Simulation::reset()
@@ -65,9 +65,9 @@ ros::Time Simulation::stampOf(const ping_pong::Contact& contact) const
   return clock_.now() - ros::Duration(before_now);
 }
 
-void Simulation::load(const ping_pong::Scene& scene)
+void Simulation::load(ping_pong::Scene scene)
 {
-  world_ = std::make_unique<ping_pong::World>(scene);  // throws before anything else is changed
+  world_ = std::make_unique<ping_pong::World>(std::move(scene));  // throws before anything else is changed
   counters_ = {};
   rally_.restart();
   feed_.restart();

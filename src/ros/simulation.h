@@ -35,11 +35,11 @@ class Simulation
 {
 public:
   /// @param command_nh  its callback queue is served by the thread of commands
-  Simulation(const NodeParams& params, const ping_pong::Scene& scene, ros::NodeHandle& command_nh,
+  Simulation(const NodeParams& params, ping_pong::Scene scene, ros::NodeHandle& command_nh,
              Rejections& rejections, const ros::Time& start);
 
   /// Replaces the world; if that throws, nothing was changed.
-  void load(const ping_pong::Scene& scene);
+  void load(ping_pong::Scene scene);
   /// Back to the start of the scene. Commands are forgotten.
   void reset();
   /// One full tick.

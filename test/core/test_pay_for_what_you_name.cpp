@@ -313,10 +313,12 @@ TEST(PayForWhatYouNameHow, ASceneThatNamesNothingIsFree)
         << name(method);
 }
 
-TEST(PayForWhatYouNameHow, AForceModelIsSetUpOncePerBall)
+TEST(PayForWhatYouNameHow, AForceModelIsSetUpOncePerTypeOfBall)
 {
+  Scene scene = SceneBuilder().ball({0, 0, 1}).ball({0, 1, 1}).ball({0, 2, 1}).build();
+  scene.balls.back().params.mass *= 2.0;
   evaluations.fill(0);
-  World world(SceneBuilder().ball({0, 0, 1}).ball({0, 1, 1}).build());
+  World world(scene);
   EXPECT_EQ(evaluationsOf(Law::FlightModel), 2);
 }
 
