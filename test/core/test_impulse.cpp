@@ -156,6 +156,21 @@ TEST(Impulse, ABallThatBouncesAloneGoesAsTheExactMethodSays)
 }
 
 // Slides with mu g until it rolls: what the steps miss shrinks with them.
+TEST(Impulse, AirActsFromTheFirstStepOn)
+{
+  const double step = 1e-3;  // [s]
+  const auto afterOneStep = [step](Method method) {
+    Scene scene = SceneBuilder(method, step).ball({0, 0, 1}, {20, 0, 0}).build();
+    scene.forces.drag = true;
+    World world(scene);
+    world.advance(step);
+    return velocityOf(world).x();
+  };
+  const double slower = 20.0 - afterOneStep(Method::Exact);
+  EXPECT_GT(slower, 0.01);
+  EXPECT_NEAR(20.0 - afterOneStep(Method::Impulse), slower, 1e-4 * slower);  // third order: (step / time scale)^2 = 3e-6 of it
+}
+
 TEST(Impulse, SlidingToRollingConvergesWithTheStep)
 {
   for (const double dt : {8e-3, 4e-3, 2e-3, 1e-3, 5e-4})

@@ -131,8 +131,8 @@ constexpr ImpulseBreak kImpulseBreaks[] = {
     {"galperin_3141", 1e-2, 2500},
     {"galperin_3141", 1e-3, 1500},
     {"fast_drag", 1e-2, 1e4},  // second order in the step
-    {"fast_drag", 1e-3, 6e-3},
-    {"magnus_circle", 1e-2, 5e-5},
+    {"fast_drag", 1e-3, 4e-3},
+    {"magnus_circle", 1e-2, 5e-6},
     {"magnus_circle", 1e-3, kPasses},
     {"far_away", 1e-2, kPasses},
     {"far_away", 1e-4, 5e-7},
