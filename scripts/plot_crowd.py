@@ -172,12 +172,12 @@ def seconds(time):
 def tray_table(rows, balls):
     text = ["| engine | wall time of a simulated second | of the costliest | simulated | deepest overlap | escaped | at rest after |",
             "| --- | --- | --- | --- | --- | --- | --- |"]
-    for line, points in lines_of(rows, "tray").items():
+    for threads, line, points in [(n, *its) for n in (1.0, 2.0) for its in lines_of(rows, "tray", n).items()]:
         for p in points:
             if p["balls"] != balls:
                 continue
             wall, worst = 1e-6 * p["cost_us"] * balls, 1e-6 * p["most_cost_us"] * balls
-            text.append(f"| {name(line)} | {wall:.2g} s | {worst:.2g} s | {p['simulated_s']:.2g} s | {size(p['overlap_m'])} | {p['escaped']:.0f} | "
+            text.append(f"| {name(line)}{', two threads' if threads > 1.0 else ''} | {wall:.2g} s | {worst:.2g} s | {p['simulated_s']:.2g} s | {size(p['overlap_m'])} | {p['escaped']:.0f} | "
                         f"{seconds(p['rest_after_s'])} |")
     return "\n".join(text)
 

@@ -59,7 +59,7 @@ std::vector<CrowdPoint> points(const CrowdScene& scene)
         {
           if (variant == "exact" && step != scene.steps.front()) continue;  // it takes no steps
           if (ours || engine.name == "ode" || engine.name == "bullet") all.push_back({&engine, variant, step});
-          if (ours && step == 5e-3) all.push_back({&engine, variant, step, 2});
+          if (ours && step == scene.steps.front()) all.push_back({&engine, variant, step, 2});
         }
   }
   return all;
