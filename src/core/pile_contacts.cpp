@@ -17,7 +17,7 @@ namespace
 {
 using Eigen::Vector4f;
 
-constexpr int kMostVisits = 4;           // of a slab, each a sweep forwards and one backwards
+constexpr int kMostSweeps = 8;
 constexpr double kGoodEnough = 0.03;    // change of a velocity that is not passed on, in least impacts,
 constexpr double kCreep = 6e-4;         // or less: a pile that creeps faster does not fall asleep [m/s]
 constexpr double kWakingForce = 0.3;    // change of a force on a sleeping ball that wakes it up: so much of its weight,
@@ -171,25 +171,21 @@ bool quiet(const Pile& pile, const PileShare& share, std::uint32_t since)
          (s + 1 == pile.slabs || pile.shares[s + 1].changed < since);
 }
 
-// Slabs are visited in turns, until nothing changes any more. Each visit is two sweeps: the second one finds what it reads
-// still in the cache.
+// Every touch once; then those of balls that changed, forwards and backwards in turn, until nothing changes any more.
 void iterate(WorldState& world)
 {
   Pile& pile = world.pile;
   const float least = static_cast<float>(std::min(kGoodEnough * pile.least_impact, kCreep)), small = least * least;
   std::uint32_t before = 0;
-  for (int visit = 0; visit < kMostVisits; ++visit)
+  for (int k = 0; k < kMostSweeps; ++k)
   {
-    const std::uint32_t now = pile.counter + 1;
-    pile.counter += 2;
+    const std::uint32_t now = ++pile.counter;
     inTurns(world,
             [&](PileShare& share)
             {
-              if (quiet(pile, share, before)) return;
-              sweep(pile, share, {before, now, small}, true);
-              sweep(pile, share, {now, now + 1, small}, false);
+              if (!quiet(pile, share, before)) sweep(pile, share, {before, now, small}, k % 2 == 0);
             });
-    if (std::none_of(pile.shares.begin(), pile.shares.end(), [&](const PileShare& share) { return share.changed >= now; })) break;
+    if (std::none_of(pile.shares.begin(), pile.shares.end(), [&](const PileShare& share) { return share.changed == now; })) break;
     before = now;
   }
 }
