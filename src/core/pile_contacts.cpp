@@ -17,7 +17,7 @@ namespace
 {
 using Eigen::Vector4f;
 
-constexpr int kMostSweeps = 8;
+constexpr int kMostSweeps = 12;
 constexpr double kGoodEnough = 0.03;    // change of a velocity that is not passed on, in least impacts,
 constexpr double kCreep = 6e-4;         // or less: a pile that creeps faster does not fall asleep [m/s]
 constexpr double kWakingForce = 0.3;    // change of a force on a sleeping ball that wakes it up: so much of its weight,
