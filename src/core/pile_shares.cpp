@@ -89,12 +89,13 @@ std::array<std::uint8_t, kMostBins + 1> slabsOf(const Histogram& histogram, std:
 void clearShare(PileShare& share)
 {
   for (std::vector<std::uint32_t>* list : {&share.balls, &share.awake, &share.pairs, &share.bodies, &share.active_pairs, &share.active_bodies,
-                                           &share.leaving})
+                                           &share.leaving, &share.waking})
     list->clear();
   for (std::vector<KeptPair>* list : {&share.kept, &share.kept_asleep}) list->clear();
   share.touches.clear();
   share.body_touches.clear();
   share.held.clear();
+  share.ahead.clear();
   share.active_void = true;
 }
 void cutPile(Pile& pile, const Vector3d& up)
