@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -40,7 +41,7 @@ double memory(const std::string& key)
 class OurCrowd : public Engine
 {
 public:
-  OurCrowd(Scene scene, const CrowdPoint& point) : world_(prepared(std::move(scene), point))
+  explicit OurCrowd(std::shared_ptr<const Scene> scene) : world_(std::move(scene))
   {
     world_.keepContacts(false);  // counted only: nobody reads them here, and no other engine is asked for a list
   }
@@ -57,40 +58,41 @@ public:
   double contacts = 0.0, events = 0.0;
 
 private:
-  static Scene prepared(Scene scene, const CrowdPoint& point)
-  {
-    scene.method = methodFromName(point.variant);
-    scene.dt = point.step;
-    scene.threads = point.threads;
-    return scene;
-  }
   World world_;
 };
+
+std::shared_ptr<const Scene> sceneOf(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls)
+{
+  Scene scene = crowdOf(crowd, balls);
+  if (point.engine->name == "ping_pong_sim") scene.method = methodFromName(point.variant);
+  scene.dt = point.step;
+  scene.threads = point.threads;
+  return std::make_shared<const Scene>(std::move(scene));
+}
 
 class Run
 {
 public:
   Run(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort)
-    : crowd_(crowd), effort_(effort), begin_(now()), scene_(crowdOf(crowd, balls))
+    : crowd_(crowd), effort_(effort), begin_(now()), shared_(sceneOf(point, crowd, balls)), scene_(*shared_), states_(balls)
   {
     malloc_trim(0);  // what loading took is not the engine's
     std::ofstream("/proc/self/clear_refs") << 5;
     const double before = memory("VmRSS:");
     const double start = now();
     if (point.engine->name == "ping_pong_sim")
-      engine_ = std::make_unique<OurCrowd>(scene_, point);
+      engine_ = std::make_unique<OurCrowd>(shared_);
     else
       engine_ = point.engine->make(scene_, point.variant, point.step);
     ours_ = dynamic_cast<OurCrowd*>(engine_.get());
     result_.start = now() - start;
-    measure();
-    result_.bytes = memory("VmHWM:") - before;
+    measure(before);
     result_.wall = now() - begin_;
   }
   const CrowdResult& result() const { return result_; }
 
 private:
-  void measure()
+  void measure(double before)
   {
     const double energy = look().energy;
     for (double t = 0.0; t < crowd_.warm_up - 0.5 * kTick; t += kTick) engine_->advance(kTick);
@@ -118,6 +120,7 @@ private:
     result_.simulated = done * kTick;
     result_.done = crowd_.steady || done == ticks || (crowd_.enough > 0.0 && result_.simulated >= crowd_.enough - 0.5 * kTick);
     result_.cost = spent / result_.simulated;
+    result_.bytes = memory("VmHWM:") - before;
     const Soundness end = look();
     result_.energy_change = end.energy / energy - 1.0;
     result_.escaped = static_cast<double>(end.escaped);
@@ -129,9 +132,8 @@ private:
 
   Soundness look()
   {
-    std::vector<BallState> states(scene_.balls.size());
-    for (std::size_t i = 0; i < states.size(); ++i) states[i] = engine_->ballState(i);
-    const Soundness found = soundnessOf(scene_, states);
+    for (std::size_t i = 0; i < states_.size(); ++i) states_[i] = engine_->ballState(i);
+    const Soundness found = soundnessOf(scene_, states_);
     result_.overlap = std::max(result_.overlap, found.overlap);
     return found;
   }
@@ -146,7 +148,9 @@ private:
   const CrowdScene& crowd_;
   const CrowdEffort& effort_;
   double begin_;
-  Scene scene_;
+  std::shared_ptr<const Scene> shared_;
+  const Scene& scene_;
+  std::vector<BallState> states_;
   std::unique_ptr<Engine> engine_;
   OurCrowd* ours_ = nullptr;
   CrowdResult result_;

@@ -19,8 +19,8 @@ constexpr int pieceDegree(double tolerance)
 /// Flight under the model's forces: a parabola if its acceleration is constant; else one polynomial piece by collocation at
 /// Gauss-Legendre points (Hairer, Norsett, Wanner, "Solving ODEs I", II.7), as long as its error allows.
 /// @param tolerance  error of the position that the piece may leave after a second [m]
-/// @param step       in: length to try, 0 if unknown; out: length that will do next time [s]
-void fly(const BallState& state, double start, const FlightModel& model, double tolerance, double& step, Segment& path);
+/// @param path       in: any; if its further terms know the length of the next piece, that is what is tried first
+void fly(const BallState& state, double start, const FlightModel& model, double tolerance, Segment& path);
 
 /// Orientation after turning with constant spin w (in W) for s [s].
 Quaterniond turned(const Quaterniond& q, const Vector3d& w, double s);

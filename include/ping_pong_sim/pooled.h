@@ -65,6 +65,7 @@ public:
 
   explicit operator bool() const { return value_ != nullptr; }
   Value& operator*() { return *value_; }
+  const Value& operator*() const { return *value_; }
   Value* operator->() { return value_; }
   const Value* operator->() const { return value_; }
 

@@ -19,6 +19,7 @@ struct FurtherTerms
   Vector3d turn_WB = Vector3d::Zero();               ///< turning before s = 0 that is not in q_WB yet [rad]
   Vector3d alpha_WB = Vector3d::Zero();              ///< on a surface [rad/s^2]
   double spin_decay = 0.0;                           ///< in the air [1/s]
+  double next_piece = 0.0;                           ///< length that will do for the piece after this one, 0: unknown [s]
   Vector3d a_low, a_high;                            ///< of a degree above 2, see boundAcceleration() [m/s^2]
 };
 

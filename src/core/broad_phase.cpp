@@ -10,7 +10,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kCellsPerBox = 4.0;  // cells of the grid for each box, at most
+constexpr double kCellsPerBox = 2.0;  // cells of the grid for each box, at most
 constexpr double kSpread = 3.0;     // the grid covers so many standard deviations; boxes outside are in its outer cells
 constexpr double kLongEdges = 4.0;  // longer than the mean along an axis by so many standard deviations: in no cell
 constexpr double kShare = 0.99;     // of a cell, that a box in it is long: rounding puts nobody two cells away
@@ -65,7 +65,7 @@ double deviation(double sum, double sum_of_squares, double n)
 void BroadPhase::reserve(std::size_t boxes)
 {
   takeMemory(start_, static_cast<std::size_t>(4.0 * kCellsPerBox) * boxes + 64);  // with empty ones around the grid
-  takeMemory(corners_, boxes);
+  takeMemory(cell_of_, boxes);
   takeMemory(entries_, boxes);
   takeMemory(added_start_, start_.capacity());
   takeMemory(added_, 16 * boxes);
@@ -155,25 +155,20 @@ double BroadPhase::Range::cells() const
 void BroadPhase::fill(const std::vector<CoarseBox>& boxes, Workers& workers)
 {
   const auto n = static_cast<std::uint32_t>(boxes.size());
-  corners_.resize(n);
+  cell_of_.resize(n);
   workers.each(n, kGrain,
                [&](std::size_t begin, std::size_t end, std::size_t)
                {
                  for (std::size_t i = begin; i < end; ++i)
-                   if (boxes[i].empty())
-                     corners_[i] = {kEmpty, kEmpty};
-                   else if (!fits(boxes[i]))
-                     corners_[i] = {kLarge, kLarge};
-                   else
-                     corners_[i] = {cornerAt(boxes[i].low), cornerAt(boxes[i].high)};
+                   cell_of_[i] = boxes[i].empty() ? kEmpty : fits(boxes[i]) ? cellOf(cornerAt(boxes[i].low)) : kLarge;
                });
   start_.assign(cell(count_[0], count_[1], count_[2]) + 2, 0);
   large_ = 0;
-  for (const auto& [low, high] : corners_)
-    if (low < kLarge)
-      ++start_[cellOf(low)];
+  for (const std::uint32_t cell : cell_of_)
+    if (cell < kLarge)
+      ++start_[cell];
     else
-      large_ += low == kLarge;
+      large_ += cell == kLarge;
   std::uint32_t total = 0;
   for (std::uint32_t& start : start_)
     start = total += start;  // ends of the cells; filled from behind they become starts
@@ -181,12 +176,21 @@ void BroadPhase::fill(const std::vector<CoarseBox>& boxes, Workers& workers)
   std::size_t next_large = entries_.size();
   for (std::uint32_t i = n; i-- > 0;)
   {
-    const auto [low, high] = corners_[i];
-    if (low < kLarge)
-      entries_[--start_[cellOf(low)]] = {low, high, i};
-    else if (low == kLarge)
-      entries_[--next_large] = {cornerAt(boxes[i].low), cornerAt(boxes[i].high), i};
+    if (cell_of_[i] < kLarge)
+      entries_[--start_[cell_of_[i]]].index = i;
+    else if (cell_of_[i] == kLarge)
+      entries_[--next_large].index = i;
   }
+  workers.each(entries_.size(), kGrain,
+               [&](std::size_t begin, std::size_t end, std::size_t)
+               {
+                 for (std::size_t p = begin; p < end; ++p)
+                 {
+                   const CoarseBox& box = boxes[entries_[p].index];
+                   entries_[p].low = cornerAt(box.low);
+                   entries_[p].high = cornerAt(box.high);
+                 }
+               });
 }
 
 void BroadPhase::build(const std::vector<CoarseBox>& boxes, Workers& workers)

@@ -39,7 +39,7 @@ public:
 
 private:
   static constexpr std::uint32_t kNoEntry = ~0u;
-  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0}, kLarge = kEmpty - 1;  ///< low corners of boxes in no cell
+  static constexpr std::uint32_t kEmpty = ~0u, kLarge = kEmpty - 1;  ///< instead of a cell, of boxes in none
   static constexpr double kManyCells = 64.0;  ///< an added box over more cells than this is in none
   static constexpr int kUnits = 64;           ///< of length in a cell
   static constexpr int kBits = 20;            ///< of a place in units, along each axis
@@ -88,9 +88,9 @@ private:
                static_cast<std::size_t>(count_[0] + 2) +
            static_cast<std::size_t>(x + 1);
   }
-  std::size_t cellOf(Corner low) const
+  std::uint32_t cellOf(Corner low) const
   {
-    return cell(field(low, 0) / kUnits, field(low, 1) / kUnits, field(low, 2) / kUnits);
+    return static_cast<std::uint32_t>(cell(field(low, 0) / kUnits, field(low, 1) / kUnits, field(low, 2) / kUnits));
   }
   template <class Action>
   void eachFrom(std::size_t begin, std::size_t end, Corner low, Corner high, const Action& action) const;
@@ -104,7 +104,7 @@ private:
   std::array<double, 3> last_{};                ///< greatest coordinates, in units
   std::size_t large_ = 0;                       ///< boxes in no cell: the last of entries_
   std::vector<std::uint32_t> start_;            ///< of each cell in entries_
-  std::vector<std::array<Corner, 2>> corners_;  ///< of each box
+  std::vector<std::uint32_t> cell_of_;          ///< of each box
   std::vector<Entry> entries_;                  ///< by cell
   std::vector<std::uint32_t> added_start_;      ///< of each cell: its last entry
   std::vector<Added> added_;

@@ -184,10 +184,11 @@ void flyStep(BallRecord& ball, const BallState& state, double t, double h)
 
 void planFlight(const WorldState& world, BallRecord& ball, const BallState& state, double t)
 {
-  if (world.scene.method == Method::Rk4Located) return flyStep(ball, state, t, world.scene.dt);
+  if (world.method == Method::Rk4Located) return flyStep(ball, state, t, world.scene.dt);
   // A piece that a contact has cut was long enough: a longer one might have to be tried twice.
-  if (ball.path.degree > 2 && t < ball.path.end) ball.step = std::min(ball.step, ball.path.end - ball.path.start);
-  fly(state, t, ball.model(), world.scene.tolerance, ball.step, ball.path);
+  Segment& path = ball.path;
+  if (path.degree > 2 && t < path.end) path.further->next_piece = std::min(path.further->next_piece, path.end - path.start);
+  fly(state, t, ball.model(), world.scene.tolerance, path);
 }
 
 // The path of a ball that lay on surfaces; it may leave some of them now, or all.

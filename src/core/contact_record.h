@@ -8,7 +8,7 @@ namespace ping_pong
 /// Counts a contact: a new record at the end of the list, to be filled in place, or nullptr if none are kept.
 inline Contact* newContact(Records& records, const BallRecord& ball, std::size_t i)
 {
-  records.origins.push_back({static_cast<std::uint32_t>(i), ball.run});
+  records.origins.push_back({static_cast<std::uint32_t>(i), ball.run()});
   ++records.status.contacts;
   return records.keep_contacts ? &records.contacts.emplace_back() : nullptr;
 }

@@ -255,10 +255,11 @@ double firstKink(const FlightModel& model, const Segment& path, double tolerance
 }
 
 template <int N>
-void flyThroughAir(const FlightModel& model, double tolerance, Segment& path, double& step)
+void flyThroughAir(const FlightModel& model, double tolerance, Segment& path)
 {
   constexpr int kCuts = 8;
-  double h = step > 0.0 ? step : kFirstTry * std::pow(tolerance, 1.0 / (N + 1)) / model.rate(path.c[1], path.w_WB);
+  double& next_piece = path.further->next_piece;
+  double h = next_piece > 0.0 ? next_piece : kFirstTry * std::pow(tolerance, 1.0 / (N + 1)) / model.rate(path.c[1], path.w_WB);
   h = std::min(h, kLongestPiece);
   path.degree = 0;
   double excess = 1.0;
@@ -274,7 +275,7 @@ void flyThroughAir(const FlightModel& model, double tolerance, Segment& path, do
     h = kink;
   }
   // Near the tolerance the error grows with h^(N + 1) to h^(2 N), as `rough` sets in: a piece too long costs as much as two.
-  step = h * std::min(3.0, 0.8 * std::pow(std::max(excess, 1e-6), -1.0 / (N + 3)));
+  next_piece = h * std::min(3.0, 0.8 * std::pow(std::max(excess, 1e-6), -1.0 / (N + 3)));
 }
 }  // namespace
 
@@ -286,7 +287,7 @@ Segment flyParabola(const BallState& state, double start, const Vector3d& a)
   return path;
 }
 
-void fly(const BallState& state, double start, const FlightModel& model, double tolerance, double& step, Segment& path)
+void fly(const BallState& state, double start, const FlightModel& model, double tolerance, Segment& path)
 {
   startAt(state, start, path);
   if (model.constant() && model.spinDecay() == 0.0)
@@ -296,11 +297,11 @@ void fly(const BallState& state, double start, const FlightModel& model, double 
   if (model.constant()) return bendBy(model.acceleration(state.v_WB, state.w_WB), path);
   const int degree = pieceDegree(tolerance);
   if (degree == 5)
-    flyThroughAir<4>(model, tolerance, path, step);
+    flyThroughAir<4>(model, tolerance, path);
   else if (degree == 7)
-    flyThroughAir<6>(model, tolerance, path, step);
+    flyThroughAir<6>(model, tolerance, path);
   else
-    flyThroughAir<8>(model, tolerance, path, step);
+    flyThroughAir<8>(model, tolerance, path);
   path.boundAcceleration();
 }
 

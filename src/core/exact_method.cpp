@@ -28,7 +28,7 @@ constexpr double kFromTheStart = -kNever;
 
 void foreseeBalls(WorldState& world, const Window& window, std::size_t i, double resume = kFromTheStart)
 {
-  world.balls[i].next_ball = Event();
+  if (world.balls[i].passing) world.balls[i].passing->ball = Event();
   for (std::size_t m = 0; m < window.count; ++m)
     if (window.members[m] != i) foreseeBall(world, i, window.members[m], resume, window.end, *window.records);
 }
@@ -205,13 +205,14 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
 
 void handle(WorldState& world, const Window& window, std::size_t i)
 {
-  if (&soonest(world.balls[i]) == &world.balls[i].next && hop(world, window, i))
+  BallRecord& ball = world.balls[i];
+  if (&soonest(ball) == &ball.next && hop(world, window, i))
   {
     if (window.count > 1) foreseeBalls(world, window, i);
     return;
   }
-  const Event event = soonest(world.balls[i]);  // a copy: the original goes when the path does
-  const bool with_ball = &soonest(world.balls[i]) == &world.balls[i].next_ball;
+  const Event event = soonest(ball);  // a copy: the original goes when the path does
+  const bool with_ball = ball.passing && &soonest(ball) == &ball.passing->ball;
   const double t = event.time;
   const bool look_again = event.kind == Event::Kind::LookAgain;
   if (look_again || !stillTrue(world, event))
@@ -279,7 +280,7 @@ void startWindow(WorldState& world, double end)
     }
     else if (stopped)
       foresee(world, i, world.time);
-    if (moving || ball.next_moving.kind != Event::Kind::None) foreseeMoving(world, i, world.time, end);
+    if (moving || ball.meetsMoving() < kNever) foreseeMoving(world, i, world.time, end);
   }
 }
 }  // namespace
@@ -291,7 +292,7 @@ void restartBall(WorldState& world, std::size_t i)
   if (ball.away()) return;
   planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
   foresee(world, i, world.time);
-  ball.next_moving = Event();
+  if (ball.passing) ball.passing->moving = Event();
 }
 
 void restartExact(WorldState& world)
@@ -336,7 +337,7 @@ void squeeze(Records& records, BallRecord& ball, BallState state, double t)
 {
   records.any_squeezed = ball.squeezed = true;
   ball.supports = Supports();
-  ball.next = ball.next_moving = ball.next_ball = Event();
+  ball.expectNothing();
   ++ball.version;
   state.v_WB.setZero();
   ball.path = flyParabola(state, t, Vector3d::Zero());

@@ -25,7 +25,7 @@ struct Window
 };
 
 /// Handles all events of these balls up to the end of the window, one after the other; false if there are more than most_events.
-/// Their next_ball must be true or void.
+/// What they foresee with each other must be true or void.
 bool runTogether(WorldState& world, const Window& window);
 
 /// Handles all events up to `end`; the motions of all paddles are smooth until then.

@@ -98,7 +98,7 @@ void fly(WorldState& world, double h)
 
 void flyAll(WorldState& world, double h)
 {
-  switch (world.scene.method)
+  switch (world.method)
   {
     case Method::EulerExplicit:
       return fly<stepExplicit>(world, h);

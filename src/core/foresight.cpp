@@ -93,22 +93,22 @@ void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume,
   BallRecord& other = world.balls[k];
   if (other.away() || mine.away() || (liesStill(mine) && liesStill(other))) return;
   ++records.pair_searches;
-  const double until = std::min(mine.next_ball.time, window_end);
+  const double until = std::min(mine.meetsBall(), window_end);
   const double from = std::max({mine.path.start, other.path.start, resume});
   const BallRecord &first = world.balls[std::min(i, k)], &second = world.balls[std::max(i, k)];
   const Detection found = firstContact(first.path, first.params().radius, second.path, second.params().radius, from, until);
-  if (!(found.time < mine.next_ball.time)) return;
-  mine.next_ball = toEvent(found, Event::Kind::HitBall, k, 0, other.version);
-  if (found.time < other.next_ball.time) other.next_ball = toEvent(found, Event::Kind::HitBall, i, 0, mine.version);
+  if (!(found.time < mine.meetsBall())) return;
+  mine.passing.make().ball = toEvent(found, Event::Kind::HitBall, k, 0, other.version);
+  if (found.time < other.meetsBall()) other.passing.make().ball = toEvent(found, Event::Kind::HitBall, i, 0, mine.version);
 }
 
 void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end)
 {
   BallRecord& ball = world.balls[i];
-  ball.next_moving = Event();
+  if (ball.passing) ball.passing->moving = Event();
   if (ball.away()) return;
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
-    if (world.bodies[b].moving) lookAtMovingBody(ball, world.bodies[b], b, t, window_end, ball.next_moving);
+    if (world.bodies[b].moving) lookAtMovingBody(ball, world.bodies[b], b, t, window_end, ball.passing.make().moving);
 }
 
 bool stillTrue(const WorldState& world, const Event& event)

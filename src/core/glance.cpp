@@ -42,7 +42,7 @@ std::uint16_t Glances::kindFor(const BallRecord& ball, std::uint16_t guess) cons
 void Glances::lookAt(const BallRecord& ball, std::size_t i, bool bent)
 {
   Glance& glance = list_[i];
-  glance.next = floatBefore(std::min(ball.next.time, ball.next_moving.time));
+  glance.next = floatBefore(std::min(ball.next.time, ball.meetsMoving()));
   glance.kind = kindFor(ball, glance.kind);
   glance.bent = bent;
   glance.start = ball.path.start;

@@ -24,7 +24,7 @@ void join(WorldState& world, std::uint32_t i, double t)
   BallRecord& ball = world.balls[i];
   ball.path = flyParabola(ball.stateAt(t), t, Vector3d::Zero());
   ball.supports = Supports();
-  ball.next = ball.next_moving = ball.next_ball = Event();
+  ball.expectNothing();
   ++ball.version;  // what others foresaw with it is void
   ball.piled = true;
   ball.asleep = false;
@@ -96,7 +96,8 @@ bool countCrowding(BallRecord& ball, double t)
     ball.crowded_since = t;
     ball.crowding = 0;
   }
-  return ++ball.crowding > kCrowded;
+  if (ball.crowding <= kCrowded) ++ball.crowding;
+  return ball.crowding > kCrowded;
 }
 
 std::size_t mostEvents(const WorldState& world, const std::vector<std::size_t>& balls)

@@ -61,8 +61,10 @@ void lendContacts(WorldState& world)
 void alone(BallRecord& ball)
 {
   ball.met = false;
-  ball.run = 0;
-  ball.next_ball = Event();
+  if (!ball.passing) return;
+  if (ball.meetsMoving() == kNever) return ball.passing.reset();
+  ball.passing->run = 0;
+  ball.passing->ball = Event();
 }
 
 void alone(IslandRecords& islands, std::uint32_t i)
@@ -219,7 +221,7 @@ void backToStart(WorldState& world, IslandWork& work, std::size_t i)
   BallRecord& ball = world.balls[i];
   ball = islands.saved(islands.saved_at[i]);
   forgetFlown(islands, i);
-  ball.run = islands.runs;
+  ball.passing.make().run = islands.runs;
 }
 
 // Event by event, from the start of the window. Nobody outside is looked at.
@@ -341,7 +343,7 @@ void sortContacts(WorldState& world, std::size_t first)
 // happened.
 bool happened(const WorldState& world, const ContactOrigin& origin)
 {
-  return origin.run == world.balls[origin.ball].run;
+  return origin.run == world.balls[origin.ball].run();
 }
 
 // Of the contacts from the first on, those that have happened.

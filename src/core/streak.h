@@ -20,9 +20,12 @@ inline constexpr double kTouchSpeed = 1e-9;   // slower is no impact [m/s]
 inline void countStreak(BallRecord& ball, double t)
 {
   const double pause = t - ball.last_contact;
-  if (pause < kStreakTime) ++ball.streak;
+  if (pause < kStreakTime && ball.streak <= kLongStreak) ++ball.streak;  // more than long is all that one asks for
   if (pause > kStreakForgotten) ball.streak = 0;
-  ball.crush = pause < kCrushTime ? ball.crush + 1 : 0;
+  if (pause >= kCrushTime)
+    ball.crush = 0;
+  else if (ball.crush <= kHopelessCrush)
+    ++ball.crush;
   ball.last_contact = t;
 }
 

@@ -77,7 +77,8 @@ std::size_t mostNearPairs(const std::vector<BodyRecord>& bodies)
 
 struct World::Impl : WorldState
 {
-  Scene loaded;
+  using WorldState::WorldState;
+
   BallId next_id = 0;
   double time_rest = 0.0;  // what rounding took from time: N ticks of h end at N h
   std::vector<Obstacle> obstacles;  // of the window; this and the next are kept, so that no step allocates
@@ -102,11 +103,7 @@ struct World::Impl : WorldState
 
 void World::Impl::start()
 {
-  std::vector<SceneBall> loaded_balls;
-  loaded_balls.swap(loaded.balls);  // they are not copied
-  scene = loaded;
-  loaded_balls.swap(loaded.balls);
-  scene.method = chooseMethod(loaded).method;
+  method = chooseMethod(scene).method;
   time = time_rest = 0.0;
   next_id = 0;
   contacts.clear();
@@ -114,7 +111,7 @@ void World::Impl::start()
   status = StepStatus();
   balls.clear();
   types.clear();
-  balls.reserve(loaded.balls.size());
+  balls.reserve(scene.balls.size());
   clearPile(pile);
   bodies.clear();
   for (const Body& body : scene.bodies)
@@ -124,8 +121,9 @@ void World::Impl::start()
     placeBody(record, body.pose);
     bodies.push_back(record);
   }
-  for (const SceneBall& ball : loaded.balls) add(ball.params, normalized(ball.state));
-  if (eventByEvent(scene.method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
+  for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
+  makeSpace();
+  if (eventByEvent(method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
   planAll();
   islands.length.estimate(*this);
 }
@@ -149,26 +147,27 @@ void World::Impl::makeSpace()
   takeMemory(contacts, kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
   takeMemory(origins, contacts.capacity());
   Pooled<FurtherTerms>::reserve(2 * space_for, workers.count());  // of balls, and of balls at the start of a window
+  Pooled<Passing>::reserve(2 * space_for, workers.count());
   Supports::reserve(2 * space_for, workers.count());
-  const bool may_pile_up = eventByEvent(scene.method) && balls.size() > 1;
+  const bool may_pile_up = eventByEvent(method) && balls.size() > 1;
   if (may_pile_up) islands.reserve(space_for, workers.count());
-  if (may_pile_up || scene.method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
+  if (may_pile_up || method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
 }
 
 void World::Impl::planAll()
 {
   makeSpace();
-  if (eventByEvent(scene.method)) restartExact(*this);
+  if (eventByEvent(method)) restartExact(*this);
   disturbPile(*this);
-  if (scene.method != Method::Impulse || !pile.ball.empty()) return;
+  if (method != Method::Impulse || !pile.ball.empty()) return;
   for (std::uint32_t i = 0; i < balls.size(); ++i) addToPile(*this, i, time);
 }
 
 void World::Impl::planBall(std::size_t index)
 {
   makeSpace();
-  if (eventByEvent(scene.method)) restartBall(*this, index);
-  if (scene.method != Method::Impulse) return;
+  if (eventByEvent(method)) restartBall(*this, index);
+  if (method != Method::Impulse) return;
   if (index == pile.ball.size())
     addToPile(*this, static_cast<std::uint32_t>(index), time);
   else
@@ -240,9 +239,9 @@ double World::Impl::movePaddles(double end)
 
 void World::Impl::runMethod(double end)
 {
-  if (eventByEvent(scene.method))
+  if (eventByEvent(method))
     runExact(*this, end);
-  else if (scene.method == Method::Impulse)
+  else if (method == Method::Impulse)
     runPile(*this, time, end, scene.dt);
   else
     runFixedStep(*this, end);
@@ -255,7 +254,7 @@ void World::Impl::makeRoom()
   const std::vector<char> overlapping = ballsThatOverlap();
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
-    const bool piled = balls[i].piled || scene.method == Method::Impulse;
+    const bool piled = balls[i].piled || method == Method::Impulse;
     BallState state = balls[i].stateAt(time);
     const double radius = balls[i].params().radius;
     const bool free = piled ? !overlapsABody(*this, state.p_WB, radius)
@@ -274,11 +273,12 @@ std::vector<char> World::Impl::ballsThatOverlap()
 {
   std::vector<char> overlapping(balls.size(), balls.size() < kManyBalls);
   if (balls.size() < kManyBalls) return overlapping;
-  std::vector<CoarseBox> boxes;
+  // In the memory of the next window.
+  std::vector<CoarseBox>& boxes = islands.swept;
+  boxes.clear();
   for (const BallRecord& ball : balls) boxes.emplace_back(boxOf(ball, time, time));
-  BroadPhase broad_phase;
-  broad_phase.build(boxes, workers);
-  broad_phase.eachPair(0, broad_phase.boxes(), boxes, [&](std::uint32_t a, std::uint32_t b) {
+  islands.broad_phase.build(boxes, workers);
+  islands.broad_phase.eachPair(0, islands.broad_phase.boxes(), boxes, [&](std::uint32_t a, std::uint32_t b) {
     if (spheresOverlap(balls[a], balls[b], time)) overlapping[a] = overlapping[b] = true;
   });
   return overlapping;
@@ -298,7 +298,7 @@ void World::Impl::letGo(std::size_t body)
 // Of those that cannot have any nobody is asked: thousands of records are a long way through memory.
 void World::Impl::countTroubles()
 {
-  if (!any_squeezed && scene.method != Method::Rk4Located) return;
+  if (!any_squeezed && method != Method::Rk4Located) return;
   for (const BallRecord& ball : balls)
   {
     status.squeezed += ball.squeezed;
@@ -306,11 +306,8 @@ void World::Impl::countTroubles()
   }
 }
 
-World::World(Scene scene) : impl_(std::make_unique<Impl>())
-{
-  impl_->loaded = std::move(scene);
-  impl_->start();
-}
+World::World(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene))) { impl_->start(); }
+World::World(Scene scene) : World(std::make_shared<const Scene>(std::move(scene))) {}
 
 World::~World() = default;
 World::World(World&&) noexcept = default;
@@ -337,8 +334,8 @@ StepStatus World::advance(double duration)
 }
 
 double World::time() const { return impl_->time; }
-const Scene& World::scene() const { return impl_->loaded; }
-Method World::method() const { return impl_->scene.method; }
+const Scene& World::scene() const { return impl_->scene; }
+Method World::method() const { return impl_->method; }
 const std::vector<Contact>& World::contacts() const { return impl_->contacts; }
 void World::keepContacts(bool keep) { impl_->keep_contacts = keep; }
 

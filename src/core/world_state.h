@@ -1,7 +1,9 @@
 // What the methods share: every ball, every body, and the records of the tick.
 #pragma once
 
+#include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ball_types.h"
@@ -12,6 +14,7 @@
 #include "pile.h"
 #include "ping_pong_sim/contact.h"
 #include "ping_pong_sim/detect.h"
+#include "ping_pong_sim/pooled.h"
 #include "ping_pong_sim/scene.h"
 #include "ping_pong_sim/segment.h"
 #include "ping_pong_sim/support.h"
@@ -41,24 +44,29 @@ struct Event
   Kind kind = Kind::None;
 };
 
+/// What concerns a ball in this window only, and not all balls.
+struct Passing
+{
+  Event moving;           ///< with moving bodies
+  Event ball;             ///< with balls of the same island; none between windows
+  std::uint32_t run = 0;  ///< of its island: what an earlier run has recorded has not happened; 0 between windows
+};
+
 /// Thousands of them are a long way through memory: what many have in common, and what few have, is elsewhere.
 struct BallRecord
 {
   const BallType* type;
-  BallId id;
-  std::uint32_t run = 0;   ///< of its island in this window: what an earlier run has recorded has not happened; 0 between windows
-  Event next;              ///< with still bodies; holds until the path changes
-  Event next_moving;       ///< with moving bodies; holds for this window
-  Event next_ball;         ///< with balls of the same island; holds for this window, none between windows
+  Event next;                     ///< with still bodies; holds until the path changes
+  Pooled<Passing> passing;
   Supports supports;
   Segment path;
-  double step = 0.0;              ///< length of the next piece of flight through air, 0: unknown [s]
   double last_contact = -1e300;   ///< [s]
   double crowded_since = -1e300;  ///< [s]
-  std::int32_t crowding = 0;      ///< contacts with other balls since then, see handover.h
-  std::int32_t streak = 0;        ///< contacts in quick succession, see exact_method.cpp
-  std::int32_t crush = 0;         ///< contacts in even quicker succession
+  BallId id;
   std::uint32_t version = 0;      ///< of the path
+  std::uint16_t crush = 0;        ///< contacts in even quicker succession than a streak's
+  std::uint8_t streak = 0;        ///< contacts in quick succession, see streak.h
+  std::uint8_t crowding = 0;      ///< contacts with other balls since then, see handover.h
   bool squeezed : 1;
   bool piled : 1;          ///< handed over to the pile, see handover.h
   bool asleep : 1;         ///< in the pile, see pile.h
@@ -74,12 +82,25 @@ struct BallRecord
   /// The exact method has nothing to do with it.
   bool away() const { return squeezed || piled; }
   BallState stateAt(double time) const { return path.state(time - path.start); }
+
+  /// When it meets a ball or a moving body, as far as that is foreseen; kNever if it does not.
+  double meetsBall() const { return passing ? passing->ball.time : kNever; }
+  double meetsMoving() const { return passing ? passing->moving.time : kNever; }
+  std::uint32_t run() const { return passing ? passing->run : 0; }
+  void expectNothing()
+  {
+    next = Event();
+    if (passing) passing->moving = passing->ball = Event();
+  }
 };
+static_assert(sizeof(BallRecord) == 240, "grows only if there is no other way: see docs/crowd_cost.md");
 
 inline const Event& soonest(const BallRecord& ball)
 {
-  const Event& with_body = ball.next_moving.time < ball.next.time ? ball.next_moving : ball.next;
-  return ball.next_ball.time < with_body.time ? ball.next_ball : with_body;
+  if (!ball.passing) return ball.next;
+  const Passing& passing = *ball.passing;
+  const Event& with_body = passing.moving.time < ball.next.time ? passing.moving : ball.next;
+  return passing.ball.time < with_body.time ? passing.ball : with_body;
 }
 
 /// Contains the ball on its path at all times in [from, to], or from the start of the path if that is later.
@@ -211,7 +232,11 @@ struct IslandRecords
 
 struct WorldState : Records
 {
-  Scene scene;
+  explicit WorldState(std::shared_ptr<const Scene> its_scene) : loaded(std::move(its_scene)), scene(*loaded) {}
+
+  std::shared_ptr<const Scene> loaded;
+  const Scene& scene;                     ///< the same
+  Method method = Method::Exact;          ///< in use: never Auto
   double time = 0.0;  ///< [s]
   BallTypes types;
   std::vector<BallRecord> balls;

@@ -362,9 +362,8 @@ TEST(AirReference, VelocityIsTheDerivativeOfPositionInsideAPiece)
   BallState state;
   state.v_WB = Vector3d(10, 2, 3);
   state.w_WB = Vector3d(50, 300, -80);
-  double step = 0.0;
   Segment piece;
-  fly(state, 0.0, model, 1e-9, step, piece);
+  fly(state, 0.0, model, 1e-9, piece);
   ASSERT_GT(piece.end, 0.003);
   for (int i = 1; i < 16; ++i)
   {

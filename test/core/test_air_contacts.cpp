@@ -37,8 +37,7 @@ Segment flight(Draw& draw, const Vector3d& p, const Vector3d& v)
   start.v_WB = v;
   start.w_WB = draw.vector(300.0);
   Segment path;
-  double step = 0.0;
-  fly(start, 0.0, FlightModel(forces, BallParams()), 1e-4, step, path);
+  fly(start, 0.0, FlightModel(forces, BallParams()), 1e-4, path);
   return path;
 }
 

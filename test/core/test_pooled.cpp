@@ -171,8 +171,7 @@ Forces air()
 
 void fly(const Forces& forces, Segment& path)
 {
-  double step = 0.0;
-  fly(thrown(), 0.0, FlightModel(forces, BallParams()), 1e-6, step, path);
+  fly(thrown(), 0.0, FlightModel(forces, BallParams()), 1e-6, path);
 }
 
 TEST(Segment, FlightInVacuumOwnsNothing)
