@@ -74,6 +74,7 @@ foreach(name
     gas
     state_hash
     threads
+    slabs
     workers
     islands
     impulse
