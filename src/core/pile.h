@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pile_slots.h"
 #include "ping_pong_sim/forces.h"
 #include "ping_pong_sim/types.h"
 
@@ -27,38 +28,6 @@ struct BallKind
   double spin_per_impulse = 0.0;  ///< 1 / (k r): spin is this times impulse / mass [1/m]
   double inverse_mass = 0.0;      ///< [1/kg]
   double give = 0.0;              ///< 1 + 1/k: slip of the touching point is this times impulse / mass
-};
-
-/// Where a ball is and how it moves: what the search for impacts needs. One cache line.
-struct alignas(64) Mover
-{
-  Vector3d p = Vector3d::Zero();  ///< within a step where the path that it now has would have begun [m]
-  Vector3d v = Vector3d::Zero();  ///< [m/s]
-  double clock = 0.0;             ///< of its last impact, from the start of the step [s]
-  std::uint32_t stamp = 0;        ///< when it last had an impact, on the counter of the pile
-  std::uint16_t kind = 0;
-  std::uint8_t impacts = 0;       ///< in this step
-  bool asleep : 1;
-  bool loaded : 1;                ///< something carries it: forces act with the contacts, not before them
-  bool was_loaded : 1;            ///< at the start of the step
-  bool half_owed : 1;             ///< forces of the last half step are still to act
-  bool kept_awake : 1;            ///< by a neighbour that is not still
-  bool calm : 1;                  ///< carried, and slower than half the least impact: two such balls have none
-
-  Mover() : asleep(false), loaded(false), was_loaded(false), half_owed(false), kept_awake(false), calm(false) {}
-};
-
-static_assert(sizeof(Mover) == 64, "one cache line");
-
-/// What the contacts of this step change of a ball; the last components of the vectors are 0.
-struct Change
-{
-  Eigen::Vector4f v = Eigen::Vector4f::Zero();    ///< of its velocity [m/s]
-  Eigen::Vector4f rim = Eigen::Vector4f::Zero();  ///< of radius times spin [m/s]
-  float per_impulse = 0.0f;      ///< 1 / mass, 0 while asleep [1/kg]
-  float rim_per_impulse = 0.0f;  ///< 1 / (k mass)
-  float fast = 0.0f;             ///< speed before the contacts [m/s]
-  std::uint32_t sweep = 0;       ///< that changed it last, on the counter of the pile
 };
 
 /// Impulses that acted in a contact in the last step.
@@ -171,23 +140,10 @@ struct PileGrid
   int cellAt(double x, int axis) const;
 };
 
-struct Pile
+struct Pile : PileSlots
 {
   static constexpr std::uint32_t kEndOfChain = ~0u;
   static constexpr std::size_t kMostSlabs = 16;
-
-  // One for each ball ("slot").
-  std::vector<std::uint32_t> ball;      ///< its index in WorldState::balls
-  std::vector<Mover> movers;
-  std::vector<Vector3d> w;              ///< spin [rad/s]
-  std::vector<Quaterniond> q;
-  std::vector<Change> changes;
-  std::vector<Vector3d> a;              ///< acceleration, where it is not constant [m/s^2]
-  std::vector<Vector3d> home;           ///< where it was when the links were built [m]
-  std::vector<Eigen::Vector3f> sweep;   ///< way that the links cover from there, and by the margin around it [m]
-  std::vector<Eigen::Vector3f> anchor;  ///< place that it has not left for the time `still`, from home [m]
-  std::vector<float> still;             ///< [s]
-  std::vector<float> untouched;         ///< time since it touched another ball [s]
 
   std::vector<BallKind> kinds;
   std::vector<PairLink> pairs;

@@ -37,6 +37,21 @@ std::uint32_t slotOf(const Pile& pile, std::uint32_t ball)
   return static_cast<std::uint32_t>(std::find(pile.ball.begin(), pile.ball.end(), ball) - pile.ball.begin());
 }
 
+// What is new is as its type says, but Eigen leaves its own as they are found in memory.
+template <typename Entry>
+void makeBlank(Entry&)
+{
+}
+template <typename Number, int rows>
+void makeBlank(Eigen::Matrix<Number, rows, 1>& entry)
+{
+  entry.setZero();
+}
+void makeBlank(Quaterniond& entry)
+{
+  entry.setIdentity();
+}
+
 void take(WorldState& world, std::size_t slot, double time)
 {
   Pile& pile = world.pile;
@@ -58,17 +73,7 @@ void take(WorldState& world, std::size_t slot, double time)
 
 void clearPile(Pile& pile)
 {
-  pile.ball.clear();
-  pile.movers.clear();
-  pile.w.clear();
-  pile.q.clear();
-  pile.changes.clear();
-  pile.a.clear();
-  pile.home.clear();
-  pile.sweep.clear();
-  pile.anchor.clear();
-  pile.still.clear();
-  pile.untouched.clear();
+  eachSlotList(pile, [](auto& list) { list.clear(); });
   pile.kinds.clear();
   pile.pairs.clear();
   pile.old_kept.clear();
@@ -98,17 +103,7 @@ void reserveShare(PileShare& share, std::size_t balls)
 
 void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
 {
-  pile.ball.reserve(balls);
-  pile.movers.reserve(balls);
-  pile.w.reserve(balls);
-  pile.q.reserve(balls);
-  pile.changes.reserve(balls);
-  if (!constant_forces) pile.a.reserve(balls);
-  pile.home.reserve(balls);
-  pile.sweep.reserve(balls);
-  pile.anchor.reserve(balls);
-  pile.still.reserve(balls);
-  pile.untouched.reserve(balls);
+  eachSlotList(pile, !constant_forces, [balls](auto& list) { list.reserve(balls); });
   pile.kinds.reserve(kKinds);
   pile.pairs.reserve(kPairs * balls);
   for (std::vector<PairLink>& found : pile.found) found.reserve(kMore + kPairs * balls / (Pile::kMostSlabs / 2));
@@ -130,17 +125,8 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
 void addToPile(WorldState& world, std::uint32_t ball, double time)
 {
   Pile& pile = world.pile;
-  pile.ball.push_back(ball);
-  pile.movers.emplace_back();
-  pile.w.emplace_back();
-  pile.q.push_back(Quaterniond::Identity());
-  pile.changes.emplace_back();
-  if (!world.balls[ball].model().constant()) pile.a.push_back(Vector3d::Zero());
-  pile.home.emplace_back();
-  pile.sweep.push_back(Eigen::Vector3f::Zero());
-  pile.anchor.push_back(Eigen::Vector3f::Zero());
-  pile.still.push_back(0.0f);
-  pile.untouched.push_back(0.0f);
+  eachSlotList(pile, !world.balls[ball].model().constant(), [](auto& list) { makeBlank(list.emplace_back()); });
+  pile.ball.back() = ball;
   take(world, pile.ball.size() - 1, time);
 }
 
@@ -149,11 +135,7 @@ void dropFromPile(Pile& pile, std::uint32_t ball)
   const std::uint32_t slot = slotOf(pile, ball);
   if (slot == pile.ball.size()) return;
   wakeNear(pile, pile.movers[slot].p, pile.radius(slot));
-  const auto drop = [slot](auto& list) {
-    if (slot < list.size()) list.erase(list.begin() + slot);
-  };
-  drop(pile.ball), drop(pile.movers), drop(pile.w), drop(pile.q), drop(pile.changes), drop(pile.a), drop(pile.home);
-  drop(pile.sweep), drop(pile.anchor), drop(pile.still), drop(pile.untouched);
+  eachSlotList(pile, [slot](auto& list) { list.erase(list.begin() + slot); });
   detachKept(pile);
   const auto forget = [](auto& links, const auto& its) {
     links.erase(std::remove_if(links.begin(), links.end(), its), links.end());

@@ -42,7 +42,6 @@ void turnIntoSwaps(std::vector<std::uint32_t>& from)
 template <typename List>
 void swapAll(List& list, const std::vector<std::uint32_t>& with)
 {
-  if (list.empty()) return;
   for (std::uint32_t i = 0; i < with.size(); ++i) std::swap(list[i], list[with[i]]);
 }
 
@@ -65,8 +64,6 @@ void sortSlots(Pile& pile)
   for (std::vector<BodyLink>* links : {&pile.old_bodies, &pile.moving})
     for (BodyLink& link : *links) link.ball = pile.new_slot[link.ball];
   turnIntoSwaps(pile.old_slot);
-  const auto sort = [&pile](auto& list) { swapAll(list, pile.old_slot); };
-  sort(pile.ball), sort(pile.movers), sort(pile.w), sort(pile.q), sort(pile.changes), sort(pile.a), sort(pile.home);
-  sort(pile.sweep), sort(pile.anchor), sort(pile.still), sort(pile.untouched);
+  eachSlotList(pile, [&pile](auto& list) { swapAll(list, pile.old_slot); });
 }
 }  // namespace ping_pong
