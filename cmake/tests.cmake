@@ -95,6 +95,10 @@ foreach(name
   add_core_test(${name})
 endforeach()
 
+foreach(name allocations pooled)
+  target_sources(${PROJECT_NAME}_test_${name} PRIVATE test/core/allocations.cpp)
+endforeach()
+
 add_core_test(chart)
 add_dependencies(${PROJECT_NAME}_test_chart ${PROJECT_NAME}_chart)
 add_dependencies(${PROJECT_NAME}_test_same_bits ${PROJECT_NAME}_hashes ${PROJECT_NAME}_hashes_O1)

@@ -1,33 +1,10 @@
 // Moving the world on takes no memory from the heap once the scene is there.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <functional>
-#include <new>
 
+#include "allocations.h"
 #include "scene_builder.h"
-
-namespace
-{
-std::atomic<long> allocations{0};
-}  // namespace
-
-void* operator new(std::size_t size)
-{
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-
-void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 namespace ping_pong
 {
@@ -212,6 +189,12 @@ TEST(Allocations, TheCounterCounts)
   const long before = allocations;
   const std::vector<int> something(100);
   EXPECT_EQ(allocations - before, 1) << something.size();
+  struct alignas(64) Line
+  {
+    int number;
+  };
+  const std::vector<Line> lines(100);
+  EXPECT_EQ(allocations - before, 2) << lines.size();
 }
 
 TEST(Allocations, NoneFromTheFirstTickOnInAnyMethod)

@@ -3,34 +3,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
-#include <new>
 #include <thread>
 #include <vector>
 
+#include "allocations.h"
 #include "ping_pong_sim/evolve.h"
 #include "scene_builder.h"
-
-namespace
-{
-std::atomic<long> allocated{0};  // bytes
-}  // namespace
-
-void* operator new(std::size_t size)
-{
-  allocated += static_cast<long>(size);
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-
-void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
 
 namespace ping_pong
 {
@@ -94,6 +72,13 @@ TEST(Pooled, MovesLeaveNothingBehind)
   c = std::move(b);
   EXPECT_EQ(&*c, place);
   EXPECT_FALSE(b);
+}
+
+TEST(Pooled, BytesAreCounted)  // for the tests that follow
+{
+  const long before = allocated;
+  const std::vector<Value> values(100);
+  EXPECT_EQ(allocated - before, static_cast<long>(values.size() * sizeof(Value)));
 }
 
 // As many as one thread has, in rounds, all made there and given back here.
