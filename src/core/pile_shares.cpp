@@ -96,8 +96,9 @@ void clearShare(PileShare& share)
   share.body_touches.clear();
   share.held.clear();
   share.ahead.clear();
-  share.active_void = true;
+  share.active_void = false;
 }
+
 void cutPile(Pile& pile, const Vector3d& up)
 {
   const Spread spread = spreadOf(pile);
@@ -106,6 +107,8 @@ void cutPile(Pile& pile, const Vector3d& up)
   const std::array<std::uint8_t, kMostBins + 1> slab = slabsOf(histogram, pile.movers.size());
   pile.slabs = slab[histogram.bins - 1] + std::size_t{1};
   for (PileShare& share : pile.shares) clearShare(share);
+  for (std::size_t k = 0; k < pile.slabs; ++k) pile.shares[k].active_void = true;
+  pile.lastShare().active_void = true;
   pile.share_of.resize(pile.movers.size());
   for (std::uint32_t i = 0; i < pile.movers.size(); ++i)
   {

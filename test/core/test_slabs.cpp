@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 
 #include "scene_builder.h"
@@ -18,9 +19,8 @@ struct PileRun
 {
   WorldState world;
 
-  PileRun(const Scene& scene, std::size_t threads)
+  PileRun(const Scene& scene, std::size_t threads) : world(std::make_shared<const Scene>(scene))
   {
-    world.scene = scene;
     world.workers.start(threads);
     world.contacts.reserve(2 * scene.balls.size());
     for (const Body& body : scene.bodies)
@@ -162,6 +162,8 @@ TEST(Slabs, WhoLiesAloneIsNotWokenUpByASlabThatIsGone)
   PileRun run(ballsInARow(), 1);
   for (int i = 0; i < 500 && asleep(run) < kLying; ++i) run.step();
   ASSERT_EQ(asleep(run), kLying);
+  run.step();
+  EXPECT_FALSE(run.world.pile.anyAwake()) << "fewer slabs than there could be";
   SceneBall load = run.world.scene.balls[kCarrier];
   load.state.p_WB.z() += 2.0 * kR + 1e-5;
   run.add(load);
