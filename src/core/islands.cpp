@@ -3,36 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flown.h"
-#include "foresight.h"
 #include "handover.h"
+#include "island_runs.h"
+#include "window_contacts.h"
+#include "window_flight.h"
 
 namespace ping_pong
 {
 namespace
 {
 constexpr double kTooManySearches = 4.0;  // of pairs, by ball: a window that needs more is given up
-
 constexpr double kTicksAhead = 3.0;  // that are worth an outlook
 constexpr double kShare = 0.8;       // of the windows that would fit into a tick: rather a bit longer than one more
-
-// What a worker takes at a time.
-constexpr std::size_t kBalls = 256;
-constexpr std::size_t kIslands = 8;
-
-std::uint32_t rootOf(IslandRecords& islands, std::uint32_t i)
-{
-  while (islands.root[i] != i) i = islands.root[i] = islands.root[islands.root[i]];
-  return i;
-}
-
-void unite(IslandRecords& islands, std::uint32_t i, std::uint32_t k)
-{
-  const std::uint32_t a = rootOf(islands, i), b = rootOf(islands, k);
-  if (a == b) return;
-  islands.root[std::max(a, b)] = std::min(a, b);
-  std::swap(islands.next[a], islands.next[b]);
-}
 
 // A look at two boxes that overlap costs an eighth of a search.
 double pairSearches(const IslandRecords& islands)
@@ -42,22 +24,7 @@ double pairSearches(const IslandRecords& islands)
   return 0.125 * static_cast<double>(eighths);
 }
 
-void save(WorldState& world, IslandWork& work, std::size_t i)
-{
-  std::uint32_t& saved = world.islands.saved_at[i];
-  if (saved != IslandRecords::kNoEntry) return;
-  saved = IslandRecords::entry(work, work.saved.size());
-  work.saved.push_back(world.balls[i]);
-  work.changed.push_back(static_cast<std::uint32_t>(i));
-}
-
-// While a window runs the first worker writes to the world's own lists: where it is alone, no contact is copied.
-void lendContacts(WorldState& world)
-{
-  std::swap(world.contacts, world.islands.work.front().contacts);
-  std::swap(world.origins, world.islands.work.front().origins);
-}
-
+// As between windows: only moving bodies are still foreseen, for the rest of the tick.
 void alone(BallRecord& ball)
 {
   ball.met = false;
@@ -122,160 +89,6 @@ void begin(WorldState& world)
   lendContacts(world);
 }
 
-// --- each ball as if it were alone ---
-
-bool hasEvents(const WorldState& world, std::size_t i, double end)
-{
-  const Glance& glance = world.islands.glances[i];
-  switch (world.islands.glances.kindOf(glance).how)
-  {
-    case GlanceKind::How::Away:
-      return false;
-    case GlanceKind::How::AskRecord:
-      return soonest(world.balls[i]).time <= end;
-    default:
-      return glance.next <= end && soonest(world.balls[i]).time <= end;
-  }
-}
-
-// What it sweeps if nothing happens to it.
-CoarseBox quietBox(const WorldState& world, const Window& window, std::size_t i)
-{
-  const Glance& glance = world.islands.glances[i];
-  const GlanceKind& kind = world.islands.glances.kindOf(glance);
-  if (kind.how == GlanceKind::How::Away) return {};
-  if (kind.how == GlanceKind::How::AskRecord) return CoarseBox(boxAhead(world.balls[i], window.start, window.outlook));
-  return CoarseBox(boxOf(viewOf(glance, kind), kind.radius, window.start, window.outlook));
-}
-
-void runAlone(WorldState& world, Window& window, std::size_t i)
-{
-  save(world, *window.work, i);
-  forgetFlown(world.islands, i);
-  window.members = &i;
-  runTogether(world, window);
-  noteLast(world, window, i);
-}
-
-// Calls action(ball, its window) for all balls.
-template <class Action>
-void eachBall(WorldState& world, const Window& window, const Action& action)
-{
-  world.workers.each(world.balls.size(), kBalls,
-                     [&](std::size_t begin, std::size_t end, std::size_t worker)
-                     {
-                       Window its = window;
-                       its.count = 1;
-                       its.records = its.work = &world.islands.work[worker];
-                       for (std::size_t i = begin; i < end; ++i) action(i, its);
-                     });
-}
-
-// --- islands ---
-
-// Calls action(world, its window, entry) for all entries of a list of balls or islands.
-template <class Action>
-void eachOf(const std::vector<std::uint32_t>& list, WorldState& world, const Window& window, const Action& action)
-{
-  world.workers.each(list.size(), kIslands,
-                     [&](std::size_t begin, std::size_t end, std::size_t worker)
-                     {
-                       Window its = window;
-                       its.records = its.work = &world.islands.work[worker];
-                       for (std::size_t c = begin; c < end; ++c) action(world, its, list[c]);
-                     });
-}
-
-// Those who met are of one island now; its root stands in the list of islands that have to run.
-void uniteWhoMet(IslandRecords& islands)
-{
-  islands.islands.clear();
-  for (const IslandWork& work : islands.work)
-    for (const auto& [i, k] : work.met) unite(islands, i, k);
-  for (IslandWork& work : islands.work)
-  {
-    for (const auto& pair : work.met) islands.islands.push_back(rootOf(islands, pair[0]));
-    work.met.clear();
-  }
-  std::sort(islands.islands.begin(), islands.islands.end());
-  islands.islands.erase(std::unique(islands.islands.begin(), islands.islands.end()), islands.islands.end());
-}
-
-void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::size_t>& members)
-{
-  members.clear();
-  std::uint32_t i = root;
-  do
-  {
-    members.push_back(i);
-    islands.root[i] = root;
-    i = islands.next[i];
-  } while (i != root);
-  std::sort(members.begin(), members.end());  // ties go to the first ball, whoever came in first
-}
-
-void backToStart(WorldState& world, IslandWork& work, std::size_t i)
-{
-  IslandRecords& islands = world.islands;
-  save(world, work, i);
-  BallRecord& ball = world.balls[i];
-  ball = islands.saved(islands.saved_at[i]);
-  forgetFlown(islands, i);
-  ball.passing.make().run = islands.runs;
-}
-
-// Event by event, from the start of the window. Nobody outside is looked at.
-void runIsland(WorldState& world, Window window, std::uint32_t root)
-{
-  IslandWork& work = *window.work;
-  const std::vector<std::size_t>& members = work.members;
-  gatherMembers(world.islands, root, work.members);
-  for (const std::size_t i : members) backToStart(world, work, i);
-  for (std::size_t m = 0; m < members.size(); ++m)
-    for (std::size_t n = m + 1; n < members.size(); ++n)
-      foreseeBall(world, members[m], members[n], -kNever, window.end, work);
-  window.members = members.data();
-  window.count = members.size();
-  window.most_events = mostEvents(world, members);
-  if (!runTogether(world, window)) work.crowded.insert(work.crowded.end(), members.begin(), members.end());
-  for (const std::size_t i : members) noteLast(world, window, i);
-}
-
-// Outside of its island.
-void findWhoWasMetBy(WorldState& world, const Window& window, std::uint32_t i)
-{
-  const IslandRecords& islands = world.islands;
-  islands.eachNear(i,
-                   [&](std::uint32_t k)
-                   {
-                     if (islands.root[k] == islands.root[i]) return;
-                     ++window.work->near_pairs;
-                     if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
-                   });
-}
-
-// Balls that were thrown off their path may come into the way of balls outside, islands of the same run among them.
-void findWhoWasMet(WorldState& world, const Window& window, std::uint32_t root)
-{
-  const IslandRecords& islands = world.islands;
-  for (std::uint32_t i = islands.next[root];; i = islands.next[i])
-  {
-    if (world.balls[i].met) findWhoWasMetBy(world, window, i);
-    if (i == root) return;
-  }
-}
-
-void addWhoWasThrown(WorldState& world)
-{
-  IslandRecords& islands = world.islands;
-  for (const std::uint32_t root : islands.islands)
-    for (std::uint32_t i = islands.next[root];; i = islands.next[i])
-    {
-      if (world.balls[i].met) islands.broad_phase.add(i, islands.swept[i]);
-      if (i == root) break;
-    }
-}
-
 // Each looks at each in an island.
 bool worthAShorterWindow(const WorldState& world, const Window& window)
 {
@@ -292,19 +105,6 @@ bool worthAShorterWindow(const WorldState& world, const Window& window)
   return searches > limit;
 }
 
-// Runs all islands of the list, and lists those that have to run again, joined with others.
-void runIslandsOnce(WorldState& world, const Window& window)
-{
-  IslandRecords& islands = world.islands;
-  ++islands.runs;
-  eachOf(islands.islands, world, window, runIsland);
-  addWhoWasThrown(world);
-  eachOf(islands.islands, world, window, findWhoWasMet);
-  uniteWhoMet(islands);
-}
-
-// --- the window ---
-
 // As if the window had never begun.
 void undo(WorldState& world)
 {
@@ -315,76 +115,6 @@ void undo(WorldState& world)
   for (std::size_t i = 0; i < world.balls.size(); ++i)
     if (islands.saved_at[i] != IslandRecords::kNoEntry) world.balls[i] = islands.saved(islands.saved_at[i]);
   islands.glances.forget();
-}
-
-// By time, ties by ball. Contacts are large: their order is found first, and each is moved once.
-void sortContacts(WorldState& world, std::size_t first)
-{
-  std::vector<IslandRecords::Place>& order = world.islands.order;
-  order.clear();
-  bool sorted = true;
-  for (std::size_t c = first; c < world.contacts.size(); ++c)
-  {
-    order.push_back({world.contacts[c].time, world.contacts[c].ball, static_cast<std::uint32_t>(c)});
-    sorted &= c == first || !(order.back() < order[order.size() - 2]);
-  }
-  if (sorted) return;
-  std::sort(order.begin(), order.end());
-  for (std::size_t k = 0; k < order.size(); ++k)
-  {
-    std::size_t from = order[k].contact;
-    while (from < first + k) from = order[from - first].contact;  // it has been moved away from there
-    order[k].contact = static_cast<std::uint32_t>(from);
-    std::swap(world.contacts[first + k], world.contacts[from]);
-  }
-}
-
-// Not of an earlier run of its island: what balls have recorded before their island went back to the start has not
-// happened.
-bool happened(const WorldState& world, const ContactOrigin& origin)
-{
-  return origin.run == world.balls[origin.ball].run();
-}
-
-// Of the contacts from the first on, those that have happened.
-void dropVoid(WorldState& world, std::size_t first)
-{
-  std::size_t kept = first;
-  for (std::size_t c = first; c < world.origins.size(); ++c)
-  {
-    if (!happened(world, world.origins[c])) continue;
-    if (kept != c)
-    {
-      if (world.keep_contacts) world.contacts[kept] = world.contacts[c];
-      world.origins[kept] = world.origins[c];
-    }
-    ++kept;
-  }
-  world.origins.resize(kept);
-  if (world.keep_contacts) world.contacts.resize(kept);
-}
-
-// All contacts of a ball that have happened are in the list of one worker, in their order: which one does not matter.
-void takeContacts(WorldState& world)
-{
-  const std::size_t first = world.islands.first_contact;
-  lendContacts(world);  // and back
-  dropVoid(world, first);
-  for (std::size_t worker = 1; worker < world.islands.work.size(); ++worker)
-  {
-    IslandWork& work = world.islands.work[worker];
-    for (std::size_t c = 0; c < work.origins.size(); ++c)
-    {
-      if (!happened(world, work.origins[c])) continue;
-      if (world.keep_contacts) world.contacts.push_back(work.contacts[c]);
-      world.origins.push_back(work.origins[c]);
-    }
-  }
-  world.status.contacts += world.origins.size() - first;
-  if (world.keep_contacts)
-    sortContacts(world, first);
-  else
-    world.origins.resize(first);
 }
 
 // Whoever was crowded while the window was run passes; false if nobody was.
@@ -407,62 +137,6 @@ enum class Outcome
   TooLong,  ///< nothing was done: the window has to be shorter
   Crowded   ///< nothing was done but that balls have joined the pile
 };
-
-// The outlook of a window before this one holds to its end.
-bool seesAhead(const IslandRecords& islands, double end)
-{
-  return islands.glances.known() && islands.outlook.end >= end;
-}
-
-// All fly, and each looks for others in its way.
-void flyAnew(WorldState& world, const Window& window)
-{
-  IslandRecords& islands = world.islands;
-  const bool ahead = window.outlook > window.end;
-  beginOutlook(world, window);
-  eachBall(world, window,
-           [&](std::size_t i, Window& its)
-           {
-             if (hasEvents(world, i, window.end))
-               runAlone(world, its, i);
-             else
-               islands.swept[i] = quietBox(world, window, i);
-           });
-  islands.broad_phase.build(islands.swept, world.workers);
-  world.workers.each(islands.broad_phase.boxes(), kBalls,
-                     [&](std::size_t begin, std::size_t end, std::size_t worker)
-                     {
-                       IslandWork& its = islands.work[worker];
-                       islands.broad_phase.eachPair(begin, end, islands.swept,
-                                                    [&](std::uint32_t a, std::uint32_t b)
-                                                    {
-                                                      ++its.near_pairs;
-                                                      if (metInFlight(world, window, a, b))
-                                                        its.met.push_back({a, b});
-                                                      else if (ahead)
-                                                        noteMeeting(world, window, its, a, b);
-                                                    });
-                     });
-}
-
-// Whom balls meet that nothing happens to is known.
-void flyOn(WorldState& world, const Window& window)
-{
-  IslandRecords& islands = world.islands;
-  eachBall(world, window,
-           [&](std::size_t i, Window& its)
-           {
-             if (hasEvents(world, i, window.end)) runAlone(world, its, i);
-           });
-  std::vector<std::uint32_t>& bent = islands.near;
-  bent.clear();
-  for (const IslandWork& work : islands.work)
-    for (const std::uint32_t i : work.changed)
-      if (islands.glances[i].bent) bent.push_back(i);
-  for (const std::uint32_t i : bent) islands.broad_phase.add(i, islands.swept[i]);
-  eachOf(bent, world, window, findWhoWasMetBy);
-  takeMeetings(world, window);
-}
 
 Outcome runWindow(WorldState& world, const Window& window)
 {

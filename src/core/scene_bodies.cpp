@@ -32,11 +32,11 @@ bool isFrameName(const std::string& name)
   return !name.empty() && isLetter(name[0]);
 }
 
-/// Frames that the simulator itself publishes: world and ball_0, ball_1, ...
+/// Frames that the simulator itself publishes: world, newest_ball and ball_0, ball_1, ...
 bool isReservedFrame(const std::string& name)
 {
   const std::string prefix = "ball_";
-  if (name == "world") return true;
+  if (name == "world" || name == "newest_ball") return true;
   return name.size() > prefix.size() && name.compare(0, prefix.size(), prefix) == 0 &&
          name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
 }
@@ -45,7 +45,7 @@ std::string readName(const Field& field, const std::vector<Body>& earlier)
 {
   const std::string name = field.text();
   if (!isFrameName(name)) field.fail("a frame name of letters, digits and _ that starts with a letter");
-  if (isReservedFrame(name)) field.fail("a name other than world and ball_N, which the simulator uses itself");
+  if (isReservedFrame(name)) field.fail("a name other than world, newest_ball and ball_N, which the simulator uses itself");
   for (const Body& body : earlier)
     if (body.name == name) field.fail("a name that no other body has");
   return name;

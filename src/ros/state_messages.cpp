@@ -7,6 +7,7 @@ namespace ping_pong_sim
 namespace
 {
 constexpr char kWorld[] = "world";
+constexpr char kNewestBall[] = "newest_ball";
 
 void setHeader(std_msgs::Header& header, const ros::Time& stamp)
 {
@@ -85,17 +86,20 @@ void fillMovingFrames(const Simulation& simulation, tf2_msgs::TFMessage& message
 {
   const ping_pong::World& world = simulation.world();
   const ros::Time stamp = simulation.clock().now();
-  message.transforms.resize(simulation.paddles().size() + simulation.ballsByName());
+  const std::size_t balls = world.ballCount();
+  message.transforms.resize(simulation.paddles().size() + simulation.ballsByName() + (balls > 0 ? 1 : 0));
   std::size_t next = 0;
   for (const auto& paddle : simulation.paddles())
   {
     setFrame(message.transforms[next++], stamp, world.body(paddle->body()).name, world.bodyPose(paddle->body()));
   }
-  for (std::size_t i = 0; i < simulation.ballsByName(); ++i)
+  const auto setBall = [&](const std::string& frame, std::size_t i)
   {
     const ping_pong::BallState state = world.ballState(i);
-    setFrame(message.transforms[next++], stamp, ballFrame(world.ballId(i)), {state.p_WB, state.q_WB});
-  }
+    setFrame(message.transforms[next++], stamp, frame, {state.p_WB, state.q_WB});
+  };
+  for (std::size_t i = 0; i < simulation.ballsByName(); ++i) setBall(ballFrame(world.ballId(i)), i);
+  if (balls > 0) setBall(kNewestBall, balls - 1);  // they are in the order of their ids
 }
 
 void fillStaticFrames(const Simulation& simulation, tf2_msgs::TFMessage& message)

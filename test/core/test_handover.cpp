@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "overlaps.h"
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -37,18 +38,6 @@ Scene pour(Method method, int balls, double e = 0.8, double mu = 0.3)
   return smooth(builder.build(), e, mu);
 }
 
-double deepestOverlap(const World& world)
-{
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < world.ballCount(); ++i)
-  {
-    const Vector3d p = positionOf(world, i);
-    deepest = std::max({deepest, kR - p.z(), std::abs(p.x()) + kR - kHalf, std::abs(p.y()) + kR - kHalf});
-    for (std::size_t k = 0; k < i; ++k) deepest = std::max(deepest, 2.0 * kR - (p - positionOf(world, k)).norm());
-  }
-  return deepest;
-}
-
 double height(const World& world)  // of the centre of mass
 {
   double sum = 0.0;
@@ -67,7 +56,7 @@ TEST(HandOver, APourGoesFromTheFirstBounceToRestWithoutAnyoneChoosing)
     const StepStatus status = world.advance(0.05);
     EXPECT_TRUE(status.ok());
     most = std::max(most, status.piled);
-    deepest = std::max(deepest, deepestOverlap(world));
+    deepest = std::max(deepest, deepestInTray(world, kHalf));
     resting = 0;
     for (std::size_t k = 0; k < world.ballCount(); ++k) resting += world.resting(k);
   }

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "ping_pong_sim/state_hash.h"
+#include "overlaps.h"
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -34,19 +35,6 @@ SceneBuilder tray(double half, double height, double dt)
   return builder;
 }
 
-// Deepest overlap of two balls, or of a ball with the inside of the tray.
-double deepestOverlap(const World& world, double half)
-{
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < world.ballCount(); ++i)
-  {
-    const Vector3d p = positionOf(world, i);
-    deepest = std::max({deepest, kR - p.z(), std::abs(p.x()) + kR - half, std::abs(p.y()) + kR - half});
-    for (std::size_t k = 0; k < i; ++k) deepest = std::max(deepest, 2.0 * kR - (p - positionOf(world, k)).norm());
-  }
-  return deepest;
-}
-
 std::size_t asleep(const World& world)
 {
   std::size_t count = 0;
@@ -71,7 +59,7 @@ TEST(Impulse, AStackOfFiveInATubeStandsWhereTheBallsSayItHasTo)
   for (int i = 0; i < 300; ++i)
   {
     world.advance(0.01);
-    deepest = std::max(deepest, deepestOverlap(world, kR + 1e-4));
+    deepest = std::max(deepest, deepestInTray(world, kR + 1e-4));
   }
   measured("stack of five: deepest overlap [m]", deepest);
   measured("height of the top, from the closed form [m]", positionOf(world, 4).z() - 9.0 * kR);
@@ -231,7 +219,7 @@ TEST(Impulse, BallsComeToRestInATrayAndStayThere)
     for (int i = 0; i < 108; ++i)  // 3.4 s
     {
       world.advance(1.0 / 32.0);
-      if (i % 4 == 3) deepest = std::max(deepest, deepestOverlap(world, pour.half));
+      if (i % 4 == 3) deepest = std::max(deepest, deepestInTray(world, pour.half));
       const double now = world.totals().energy();
       gained = std::max(gained, now - energy);
       energy = now;

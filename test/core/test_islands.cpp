@@ -6,6 +6,7 @@
 #include <set>
 
 #include "broad_phase.h"
+#include "overlaps.h"
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -331,15 +332,6 @@ TEST(Islands, TheSameBitsInWindowsOfAnyLength)
   }
 }
 
-double deepestOverlap(const World& world)
-{
-  double deepest = 0.0;
-  for (std::size_t a = 0; a < world.ballCount(); ++a)
-    for (std::size_t b = a + 1; b < world.ballCount(); ++b)
-      deepest = std::max(deepest, 2.0 * kR - (positionOf(world, a) - positionOf(world, b)).norm());
-  return deepest;
-}
-
 // In short ticks one looks ahead; what somebody changes in between may not be overlooked.
 class Meddler
 {
@@ -385,7 +377,7 @@ TEST(Islands, ShortTicksOverlookNothingThatIsChangedInBetween)
     for (int i = 0; i < 24; ++i)
     {
       for (int k = 0; k < ticks; ++k) hits += world.advance(std::ldexp(1.0, -5) / ticks).contacts;
-      EXPECT_LE(deepestOverlap(world), 1e-12);
+      EXPECT_LE(deepestPair(world), 1e-12);
       meddler.meddle();
     }
     EXPECT_GT(hits, 2000u);
@@ -436,7 +428,7 @@ TEST(Islands, NoOverlapAndNoLossOfEnergyInACrowd)
   for (int i = 0; i < 50; ++i)
   {
     hits += world.advance(0.01).contacts;
-    deepest = std::max(deepest, deepestOverlap(world));
+    deepest = std::max(deepest, deepestPair(world));
   }
   measured("crowd of 512: hits", static_cast<double>(hits));
   measured("deepest overlap of two balls at the ends of ticks [m]", deepest);

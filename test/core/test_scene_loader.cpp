@@ -570,6 +570,7 @@ const BadScene kBadScenes[] = {
     {"name with digit first", "name: box", "name: 1box", 5, "bodies[0].name", "1box", "a frame name of letters"},
     {"world", "name: box", "name: world", 5, "bodies[0].name", "world", "a name other than world"},
     {"name of a ball", "name: box", "name: ball_12", 5, "bodies[0].name", "ball_12", "a name other than world"},
+    {"name of the newest ball", "name: box", "name: newest_ball", 5, "bodies[0].name", "newest_ball", "a name other than world"},
     {"second floor", "name: box", "name: floor", 3, "floor", "a map", "no body of the name floor"},
     // surfaces
     {"unknown material", "[ball, any]", "[ball, ice]", 26, "surfaces[0].pair[1]", "ice",

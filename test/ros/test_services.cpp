@@ -126,6 +126,21 @@ TEST_F(PausedWorld, SpawnedBallIsSeenInTfAndMarkersWithoutAStep)
       }));
 }
 
+TEST_F(PausedWorld, TheNewestBallHasAFrameOfItsOwn)
+{
+  sim_test::Frames frames;
+  const auto isAt = [&](double x)
+  { return sim_test::eventually([&] { return std::abs(frames.at("newest_ball").transform.translation.x - x) < 1e-12; }); };
+  const auto first = spawn(0.5, -2.0, 1.5), second = spawn(-0.5, -2.0, 1.5);
+  ASSERT_TRUE(first.success && second.success) << first.message << second.message;
+  EXPECT_TRUE(isAt(-0.5));
+  DeleteBall::Request request;
+  request.id = second.id;
+  ASSERT_TRUE(sim_test::call<DeleteBall>("delete_ball", request).success);
+  step(0.1);  // a transform is sent only when its stamp has advanced
+  EXPECT_TRUE(isAt(0.5 + 0.1));
+}
+
 TEST_F(PausedWorld, LateListenersSeeWhereThingsAre)
 {
   sim_test::Frames frames;  // subscribes now, while nothing happens

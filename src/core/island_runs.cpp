@@ -1,0 +1,134 @@
+#include "island_runs.h"
+
+#include <algorithm>
+
+#include "flown.h"
+#include "foresight.h"
+#include "handover.h"
+
+namespace ping_pong
+{
+namespace
+{
+std::uint32_t rootOf(IslandRecords& islands, std::uint32_t i)
+{
+  while (islands.root[i] != i) i = islands.root[i] = islands.root[islands.root[i]];
+  return i;
+}
+
+void unite(IslandRecords& islands, std::uint32_t i, std::uint32_t k)
+{
+  const std::uint32_t a = rootOf(islands, i), b = rootOf(islands, k);
+  if (a == b) return;
+  islands.root[std::max(a, b)] = std::min(a, b);
+  std::swap(islands.next[a], islands.next[b]);
+}
+
+void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::size_t>& members)
+{
+  members.clear();
+  std::uint32_t i = root;
+  do
+  {
+    members.push_back(i);
+    islands.root[i] = root;
+    i = islands.next[i];
+  } while (i != root);
+  std::sort(members.begin(), members.end());  // ties go to the first ball, whoever came in first
+}
+
+void backToStart(WorldState& world, IslandWork& work, std::size_t i)
+{
+  IslandRecords& islands = world.islands;
+  save(world, work, i);
+  BallRecord& ball = world.balls[i];
+  ball = islands.saved(islands.saved_at[i]);
+  forgetFlown(islands, i);
+  ball.passing.make().run = islands.runs;
+}
+
+// Event by event, from the start of the window. Nobody outside is looked at.
+void runIsland(WorldState& world, Window window, std::uint32_t root)
+{
+  IslandWork& work = *window.work;
+  const std::vector<std::size_t>& members = work.members;
+  gatherMembers(world.islands, root, work.members);
+  for (const std::size_t i : members) backToStart(world, work, i);
+  for (std::size_t m = 0; m < members.size(); ++m)
+    for (std::size_t n = m + 1; n < members.size(); ++n)
+      foreseeBall(world, members[m], members[n], -kNever, window.end, work);
+  window.members = members.data();
+  window.count = members.size();
+  window.most_events = mostEvents(world, members);
+  if (!runTogether(world, window)) work.crowded.insert(work.crowded.end(), members.begin(), members.end());
+  for (const std::size_t i : members) noteLast(world, window, i);
+}
+
+// Balls that were thrown off their path may come into the way of balls outside, islands of the same run among them.
+void findWhoWasMet(WorldState& world, const Window& window, std::uint32_t root)
+{
+  const IslandRecords& islands = world.islands;
+  for (std::uint32_t i = islands.next[root];; i = islands.next[i])
+  {
+    if (world.balls[i].met) findWhoWasMetBy(world, window, i);
+    if (i == root) return;
+  }
+}
+
+void addWhoWasThrown(WorldState& world)
+{
+  IslandRecords& islands = world.islands;
+  for (const std::uint32_t root : islands.islands)
+    for (std::uint32_t i = islands.next[root];; i = islands.next[i])
+    {
+      if (world.balls[i].met) islands.broad_phase.add(i, islands.swept[i]);
+      if (i == root) break;
+    }
+}
+}  // namespace
+
+void save(WorldState& world, IslandWork& work, std::size_t i)
+{
+  std::uint32_t& saved = world.islands.saved_at[i];
+  if (saved != IslandRecords::kNoEntry) return;
+  saved = IslandRecords::entry(work, work.saved.size());
+  work.saved.push_back(world.balls[i]);
+  work.changed.push_back(static_cast<std::uint32_t>(i));
+}
+
+void findWhoWasMetBy(WorldState& world, const Window& window, std::uint32_t i)
+{
+  const IslandRecords& islands = world.islands;
+  islands.eachNear(i,
+                   [&](std::uint32_t k)
+                   {
+                     if (islands.root[k] == islands.root[i]) return;
+                     ++window.work->near_pairs;
+                     if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
+                   });
+}
+
+void uniteWhoMet(IslandRecords& islands)
+{
+  islands.islands.clear();
+  for (const IslandWork& work : islands.work)
+    for (const auto& [i, k] : work.met) unite(islands, i, k);
+  for (IslandWork& work : islands.work)
+  {
+    for (const auto& pair : work.met) islands.islands.push_back(rootOf(islands, pair[0]));
+    work.met.clear();
+  }
+  std::sort(islands.islands.begin(), islands.islands.end());
+  islands.islands.erase(std::unique(islands.islands.begin(), islands.islands.end()), islands.islands.end());
+}
+
+void runIslandsOnce(WorldState& world, const Window& window)
+{
+  IslandRecords& islands = world.islands;
+  ++islands.runs;
+  eachOf(islands.islands, world, window, runIsland);
+  addWhoWasThrown(world);
+  eachOf(islands.islands, world, window, findWhoWasMet);
+  uniteWhoMet(islands);
+}
+}  // namespace ping_pong
