@@ -44,7 +44,7 @@ class World
 {
 public:
   explicit World(Scene scene);
-  explicit World(std::shared_ptr<const Scene> scene);  ///< the same without a copy: the balls of a crowd take 160 B each
+  explicit World(std::shared_ptr<const Scene> scene);  ///< not null. The same without a copy: balls of a scene take 160 B each
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
