@@ -176,8 +176,10 @@ def tray_table(rows, balls):
         for p in points:
             if p["balls"] != balls:
                 continue
-            wall, worst = 1e-6 * p["cost_us"] * balls, 1e-6 * p["most_cost_us"] * balls
-            text.append(f"| {name(line)}{', two threads' if threads > 1.0 else ''} | {wall:.2g} s | {worst:.2g} s | {p['simulated_s']:.2g} s | {size(p['overlap_m'])} | {p['escaped']:.0f} | "
+            wall = 1e-6 * p["cost_us"] * balls
+            # A run that was cut short may not have a whole second.
+            worst = f"{1e-6 * p['most_cost_us'] * balls:.2g} s" if p["most_cost_us"] > 0.0 else ""
+            text.append(f"| {name(line)}{', two threads' if threads > 1.0 else ''} | {wall:.2g} s | {worst} | {p['simulated_s']:.2g} s | {size(p['overlap_m'])} | {p['escaped']:.0f} | "
                         f"{seconds(p['rest_after_s'])} |")
     return "\n".join(text)
 

@@ -105,10 +105,10 @@ void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume,
 void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end)
 {
   BallRecord& ball = world.balls[i];
-  if (ball.passing) ball.passing->moving = Event();
-  if (ball.away()) return;
+  Event next;
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
-    if (world.bodies[b].moving) lookAtMovingBody(ball, world.bodies[b], b, t, window_end, ball.passing.make().moving);
+    if (world.bodies[b].moving && !ball.away()) lookAtMovingBody(ball, world.bodies[b], b, t, window_end, next);
+  if (ball.passing || next.time < kNever) ball.passing.make().moving = next;
 }
 
 bool stillTrue(const WorldState& world, const Event& event)

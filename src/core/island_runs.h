@@ -17,6 +17,13 @@ void uniteWhoMet(IslandRecords& islands);
 /// Runs all islands of the list, and lists those that have to run again, joined with others.
 void runIslandsOnce(WorldState& world, const Window& window);
 
+/// The window with the records of this worker.
+inline Window ofWorker(WorldState& world, Window window, std::size_t worker)
+{
+  window.records = window.work = &world.islands.work[worker];
+  return window;
+}
+
 /// Calls action(world, its window, entry) for all entries of a list of balls or islands.
 template <class Action>
 void eachOf(const std::vector<std::uint32_t>& list, WorldState& world, const Window& window, const Action& action)
@@ -25,8 +32,7 @@ void eachOf(const std::vector<std::uint32_t>& list, WorldState& world, const Win
   world.workers.each(list.size(), kAtATime,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
-                       Window its = window;
-                       its.records = its.work = &world.islands.work[worker];
+                       const Window its = ofWorker(world, window, worker);
                        for (std::size_t c = begin; c < end; ++c) action(world, its, list[c]);
                      });
 }

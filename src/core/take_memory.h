@@ -12,10 +12,10 @@ namespace ping_pong
 template <class Record>
 void takeMemory(std::vector<Record>& list, std::size_t records)
 {
-  constexpr std::size_t kWritten = 16384 / sizeof(Record);
+  constexpr std::size_t kWritten = 16384;  // [B]
   list.reserve(records);
   if (!list.empty()) return;
-  list.resize(std::min(records, kWritten));
+  list.resize(std::min(records, kWritten / sizeof(Record)));
   list.clear();
 }
 }  // namespace ping_pong

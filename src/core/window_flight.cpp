@@ -49,9 +49,8 @@ void eachBall(WorldState& world, const Window& window, const Action& action)
   world.workers.each(world.balls.size(), kBalls,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
-                       Window its = window;
+                       Window its = ofWorker(world, window, worker);
                        its.count = 1;
-                       its.records = its.work = &world.islands.work[worker];
                        for (std::size_t i = begin; i < end; ++i) action(i, its);
                      });
 }

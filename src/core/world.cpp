@@ -156,7 +156,6 @@ void World::Impl::makeSpace()
 
 void World::Impl::planAll()
 {
-  makeSpace();
   if (eventByEvent(method)) restartExact(*this);
   disturbPile(*this);
   if (method != Method::Impulse || !pile.ball.empty()) return;

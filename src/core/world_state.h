@@ -66,7 +66,7 @@ struct BallRecord
   std::uint32_t version = 0;      ///< of the path
   std::uint16_t crush = 0;        ///< contacts in even quicker succession than a streak's
   std::uint8_t streak = 0;        ///< contacts in quick succession, see streak.h
-  std::uint8_t crowding = 0;      ///< contacts with other balls since then, see handover.h
+  std::uint8_t crowding = 0;      ///< contacts with other balls since `crowded_since`, see handover.h
   bool squeezed : 1;
   bool piled : 1;          ///< handed over to the pile, see handover.h
   bool asleep : 1;         ///< in the pile, see pile.h
