@@ -1,9 +1,9 @@
-// Which boxes overlap: a uniform grid, made for many small balls of about one size. Its cells are as high and as wide as
-// the boxes, which falling makes high. Each box is in the cell of its lower corner and no longer than a cell, so that it
-// overlaps boxes of that cell and its neighbours only. The few that are longer are in no cell, and look at all cells in
-// their way.
+// Which boxes overlap: a uniform grid, made for many small balls of about one size. A box is in the cell of its lower corner,
+// and no longer than so many cells along each axis: where others that overlap it begin is known to the cell. The few that
+// are longer are in no cell, and look at all cells in their way.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -13,182 +13,302 @@
 
 namespace ping_pong
 {
+/// Places are rounded to small parts of a cell, so that boxes that nearly overlap may be taken to do so, and beyond the grid
+/// those that do not; whoever asks looks at them anyway. What it answers is the same for any number of workers.
 class BroadPhase
 {
 public:
   void reserve(std::size_t boxes);
 
-  /// Sorts these boxes into cells; boxes() are those that are not empty, in the order of their cells.
-  void build(const std::vector<CoarseBox>& boxes, Workers& workers);
-  std::size_t boxes() const { return entries_.size(); }
+  /// Sorts `count` boxes into cells: `box(i)` is that of i, by any worker, and for some asked twice.
+  template <class BoxOf>
+  void build(std::size_t count, const BoxOf& box, Workers& workers);
+
+  /// The same in three steps: cells for boxes like these; put() for each index, by any worker; sort().
+  template <class BoxOf>
+  void layOut(std::size_t count, const BoxOf& box);
+  template <class AnyBox>
+  void put(std::uint32_t index, const AnyBox& box);
+  void sort();
+
+  /// Those that are not empty, in the order of their cells.
+  std::size_t boxes() const { return boxes_; }
   /// Calls action(a, b) with the indices of every two boxes that overlap, in no order; of all pairs that share of which
   /// [begin, end) is of boxes(). Shares that cover boxes() once give each pair once.
-  /// @param boxes  those of the last build(): the grid has them rounded
   template <class Action>
-  void eachPair(std::size_t begin, std::size_t end, const std::vector<CoarseBox>& boxes, const Action& action) const;
+  void eachPair(std::size_t begin, std::size_t end, const Action& action) const;
   /// Calls action(index) for each that overlaps this box.
-  template <class Action>
-  void eachOverlapping(const CoarseBox& box, const std::vector<CoarseBox>& boxes, const Action& action) const;
+  template <class AnyBox, class Action>
+  void eachOverlapping(const AnyBox& box, const Action& action) const;
 
-  /// Until the next build() this box is there, too, under an index of the caller's. The boxes of the last build() say
-  /// where cells are, so that looking for it does not mean looking at all that were added.
-  void add(std::uint32_t index, const CoarseBox& box);
-  /// Calls action(index) for all added boxes in the cells of this box: all that overlap it and some that do not, each once.
-  template <class Action>
-  void eachAdded(const CoarseBox& box, const Action& action) const;
+  /// Until the boxes are sorted again this one is there, too, under an index of the caller's. Cells are as they are, so that
+  /// looking for it does not mean looking at all that were added.
+  template <class AnyBox>
+  void add(std::uint32_t index, const AnyBox& box);
+  /// Calls action(index) for each added box that overlaps this one, once.
+  template <class AnyBox, class Action>
+  void eachAdded(const AnyBox& box, const Action& action) const;
 
 private:
   static constexpr std::uint32_t kNoEntry = ~0u;
-  static constexpr std::uint32_t kEmpty = ~0u, kLarge = kEmpty - 1;  ///< instead of a cell, of boxes in none
   static constexpr double kManyCells = 64.0;  ///< an added box over more cells than this is in none
-  static constexpr int kUnits = 64;           ///< of length in a cell
-  static constexpr int kBits = 20;            ///< of a place in units, along each axis
+  static constexpr int kUnitBits = 6;
+  static constexpr int kUnits = 1 << kUnitBits;  ///< of length in a cell
+  static constexpr int kBits = 20;               ///< of a place in units, along each axis
 
-  /// A corner in units from the origin of the grid, x, y and z in one number, below a bit that is zero each. What is
+  /// A place in units from the origin of the grid, x, y and z in one number, below a bit that is zero each. What is
   /// beyond the grid is on its border.
   using Corner = std::uint64_t;
   static constexpr int kField = kBits + 1;
   static constexpr Corner kFieldMask = (Corner{1} << kBits) - 1;
   static constexpr Corner kBorrows =
       Corner{1} << kBits | Corner{1} << (kField + kBits) | Corner{1} << (2 * kField + kBits);
+  static constexpr Corner kMoved = Corner{1} << 63;  ///< of a low corner, while entries are sorted
+  static constexpr Corner kEmpty = ~kMoved;          ///< instead of a low corner
   static int field(Corner corner, int axis) { return static_cast<int>(corner >> (kField * axis) & kFieldMask); }
 
-  struct Entry
+  /// Of a box, its high corner with all of kBorrows.
+  struct Extent
   {
     Corner low, high;
-    std::uint32_t index;
     /// All three subtractions at once: none borrows if no coordinate is less than the other.
-    bool overlaps(Corner other_low, Corner other_high) const
+    bool overlaps(const Extent& other) const
     {
-      return (((high | kBorrows) - other_low) & ((other_high | kBorrows) - low) & kBorrows) == kBorrows;
+      return ((high - other.low) & (other.high - low) & kBorrows) == kBorrows;
     }
+  };
+  struct AddedBox
+  {
+    Extent extent;
+    std::uint32_t index;
   };
   struct Added
   {
-    std::uint32_t index, next;  // of the box; of the next entry of the same cell
-    std::array<int, 3> low;     // first cell of the box
+    std::uint32_t box, next;  // entry in added_boxes_; next entry of the same cell
   };
-  struct Range
+  using Cell = std::array<int, 3>;  ///< x, y, z
+  /// What cells are made for: some of the boxes stand for all.
+  struct Sums
   {
-    std::array<int, 3> low, high;
-    double cells() const;
-  };
-  struct Sums;
+    static constexpr std::size_t kMost = 4096;  ///< boxes that are looked at, at most
+    double n = 0.0;
+    std::array<double, 3> edge{}, edge_squared{}, low{}, low_squared{};
+    std::array<double, 3> least{1e30, 1e30, 1e30}, greatest{-1e30, -1e30, -1e30};
 
-  void layOut(const std::vector<CoarseBox>& boxes, Workers& workers);
-  void fill(const std::vector<CoarseBox>& boxes, Workers& workers);
-  bool fits(const CoarseBox& box) const;  ///< in a cell
-  Corner cornerAt(const float* p) const;
-  Range cellsOf(Corner low, Corner high, int cells_before) const;
-  // Around the grid is a layer of empty cells.
+    template <class AnyBox>
+    void add(const AnyBox& box);
+  };
+
+  void layOut(const Sums& sums, std::size_t count);
+  template <class AnyBox>
+  Corner cornerAt(const AnyBox& p) const;  ///< rounded down, high corners too: what overlaps still does
+  template <class AnyBox>
+  Extent extentOf(const AnyBox& box) const;
+  bool fits(const Extent& extent) const;  ///< in a cell
+  std::size_t rangeOf(const Extent& extent) const;
+  static Cell cellAt(Corner corner)
+  {
+    return {field(corner, 0) >> kUnitBits, field(corner, 1) >> kUnitBits, field(corner, 2) >> kUnitBits};
+  }
+  /// Where the first one that overlaps this box may begin.
+  Cell firstBefore(Corner low) const
+  {
+    const auto before = [&](int axis) { return std::max(field(low, axis) - longest_[static_cast<std::size_t>(axis)], 0) >> kUnitBits; };
+    return {before(0), before(1), before(2)};
+  }
   std::size_t cell(int x, int y, int z) const
   {
-    return (static_cast<std::size_t>(z + 1) * static_cast<std::size_t>(count_[1] + 2) +
-            static_cast<std::size_t>(y + 1)) *
-               static_cast<std::size_t>(count_[0] + 2) +
-           static_cast<std::size_t>(x + 1);
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(count_[1]) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(count_[0]) +
+           static_cast<std::size_t>(x);
   }
-  std::uint32_t cellOf(Corner low) const
+  std::size_t cellOf(Corner low) const
   {
-    return static_cast<std::uint32_t>(cell(field(low, 0) / kUnits, field(low, 1) / kUnits, field(low, 2) / kUnits));
+    const Cell c = cellAt(low);
+    return cell(c[0], c[1], c[2]);
   }
   template <class Action>
-  void eachFrom(std::size_t begin, std::size_t end, Corner low, Corner high, const Action& action) const;
+  void eachFrom(std::size_t begin, std::size_t end, const Extent& extent, const Action& action) const;
   template <class Action>
-  void eachInCells(Corner low, Corner high, const Action& action) const;
+  void eachInRows(const Cell& first, const Cell& last, const Extent& extent, const Action& action) const;
+  template <class Action>
+  void eachInCells(const Extent& extent, const Action& action) const;
 
   std::array<double, 3> origin_{};
   std::array<double, 3> units_per_metre_{1.0, 1.0, 1.0};
-  std::array<float, 3> longest_{};  ///< edges of a box in a cell [m]
-  std::array<int, 3> count_{1, 1, 1};
   std::array<double, 3> last_{};                ///< greatest coordinates, in units
-  std::size_t large_ = 0;                       ///< boxes in no cell: the last of entries_
+  std::array<int, 3> longest_{};                ///< edges of a box in a cell, in units
+  std::array<int, 3> count_{1, 1, 1};           ///< of cells
+  std::size_t boxes_ = 0;                       ///< that are not empty
+  std::size_t in_cells_ = 0;                    ///< of these; those in no cell come after them
   std::vector<std::uint32_t> start_;            ///< of each cell in entries_
-  std::vector<std::uint32_t> cell_of_;          ///< of each box
-  std::vector<Entry> entries_;                  ///< by cell
+  std::vector<Extent> entries_;                 ///< by index, once they are sorted by cell
+  std::vector<std::uint32_t> index_;            ///< of each entry
   std::vector<std::uint32_t> added_start_;      ///< of each cell: its last entry
   std::vector<Added> added_;
-  std::vector<std::uint32_t> added_large_;
+  std::vector<AddedBox> added_boxes_;
+  std::vector<std::uint32_t> added_large_;      ///< entries in added_boxes_
 };
 
-template <class Action>
-void BroadPhase::eachFrom(std::size_t begin, std::size_t end, Corner low, Corner high, const Action& action) const
+template <class AnyBox>
+void BroadPhase::Sums::add(const AnyBox& box)
 {
-  for (std::size_t q = begin; q < end; ++q)
-    if (entries_[q].overlaps(low, high)) action(entries_[q].index);
-}
-
-// Boxes in cells that overlap this one: they begin no earlier than a cell before it.
-template <class Action>
-void BroadPhase::eachInCells(Corner low, Corner high, const Action& action) const
-{
-  const Range r = cellsOf(low, high, 1);
-  for (int z = r.low[2]; z <= r.high[2]; ++z)
-    for (int y = r.low[1]; y <= r.high[1]; ++y)
-      eachFrom(start_[cell(r.low[0], y, z)], start_[cell(r.high[0], y, z) + 1], low, high, action);
-}
-
-template <class Action>
-void BroadPhase::eachPair(std::size_t begin, std::size_t end, const std::vector<CoarseBox>& boxes,
-                          const Action& action) const
-{
-  const std::size_t in_cells = entries_.size() - large_;
-  const std::size_t row = cell(0, 1, 0) - cell(0, 0, 0), layer = cell(0, 0, 1) - cell(0, 0, 0);
-  const std::array<std::size_t, 5> rows = {0, row, layer - row, layer, layer + row};
-  for (std::size_t p = begin; p < std::min(end, in_cells); ++p)
+  n += 1.0;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const Entry entry = entries_[p];
-    const std::size_t c = cellOf(entry.low);
-    // The rest of its cell and of the next one; the rows of three cells beside, above and diagonally above.
-    std::size_t q = p + 1;
-    for (std::size_t k = 0;;)
-    {
-      for (const std::size_t stop = start_[c + rows[k] + 2]; q < stop; ++q)
-        if (entries_[q].overlaps(entry.low, entry.high) && boxes[entries_[q].index].overlaps(boxes[entry.index]))
-          action(entry.index, entries_[q].index);
-      if (++k == rows.size()) break;
-      q = start_[c + rows[k] - 1];
-    }
-  }
-  for (std::size_t p = std::max(begin, in_cells); p < end; ++p)
-  {
-    const Entry large = entries_[p];
-    const auto pairUp = [&](std::uint32_t other)
-    {
-      if (boxes[other].overlaps(boxes[large.index])) action(large.index, other);
-    };
-    eachInCells(large.low, large.high, pairUp);
-    eachFrom(p + 1, entries_.size(), large.low, large.high, pairUp);
+    const auto i = static_cast<std::size_t>(axis);
+    const double x = box.low[axis], e = box.high[axis] - box.low[axis];
+    edge[i] += e;
+    edge_squared[i] += e * e;
+    low[i] += x;
+    low_squared[i] += x * x;
+    least[i] = std::min(least[i], x);
+    greatest[i] = std::max(greatest[i], x);
   }
 }
 
-template <class Action>
-void BroadPhase::eachOverlapping(const CoarseBox& box, const std::vector<CoarseBox>& boxes, const Action& action) const
+template <class BoxOf>
+void BroadPhase::layOut(std::size_t count, const BoxOf& box)
+{
+  Sums sums;
+  const std::size_t stride = 1 + count / Sums::kMost;
+  for (std::size_t i = 0; i < count; i += stride)
+  {
+    const auto its = box(i);
+    if (!its.empty()) sums.add(its);
+  }
+  layOut(sums, count);
+}
+
+template <class BoxOf>
+void BroadPhase::build(std::size_t count, const BoxOf& box, Workers& workers)
+{
+  constexpr std::size_t kGrain = 512;  // boxes that a worker takes at a time
+  layOut(count, box);
+  workers.each(count, kGrain,
+               [&](std::size_t begin, std::size_t end, std::size_t)
+               {
+                 for (std::size_t i = begin; i < end; ++i) put(static_cast<std::uint32_t>(i), box(i));
+               });
+  sort();
+}
+
+template <class AnyBox>
+BroadPhase::Corner BroadPhase::cornerAt(const AnyBox& p) const
+{
+  Corner corner = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto axis = static_cast<std::size_t>(i);
+    const double units = (p[i] - origin_[axis]) * units_per_metre_[axis];
+    corner |= static_cast<Corner>(static_cast<std::int32_t>(std::max(std::min(units, last_[axis]), 0.0))) << (kField * i);
+  }
+  return corner;
+}
+
+template <class AnyBox>
+BroadPhase::Extent BroadPhase::extentOf(const AnyBox& box) const
+{
+  return {cornerAt(box.low), cornerAt(box.high) | kBorrows};
+}
+
+template <class AnyBox>
+void BroadPhase::put(std::uint32_t index, const AnyBox& box)
+{
+  entries_[index] = box.empty() ? Extent{kEmpty, 0} : extentOf(box);
+}
+
+template <class AnyBox>
+void BroadPhase::add(std::uint32_t index, const AnyBox& box)
 {
   if (box.empty()) return;
-  const Corner low = cornerAt(box.low), high = cornerAt(box.high);
-  const auto lookAt = [&](std::uint32_t index)
-  {
-    if (boxes[index].overlaps(box)) action(index);
-  };
-  eachInCells(low, high, lookAt);
-  eachFrom(entries_.size() - large_, entries_.size(), low, high, lookAt);
+  const auto entry = static_cast<std::uint32_t>(added_boxes_.size());
+  added_boxes_.push_back({extentOf(box), index});
+  const Cell first = cellAt(added_boxes_.back().extent.low), last = cellAt(added_boxes_.back().extent.high);
+  const double cells = (last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0);
+  if (cells > kManyCells) return added_large_.push_back(entry);
+  if (added_.empty()) added_start_.assign(start_.size() - 1, kNoEntry);
+  for (int z = first[2]; z <= last[2]; ++z)
+    for (int y = first[1]; y <= last[1]; ++y)
+      for (int x = first[0]; x <= last[0]; ++x)
+      {
+        std::uint32_t& start = added_start_[cell(x, y, z)];
+        added_.push_back({entry, start});
+        start = static_cast<std::uint32_t>(added_.size() - 1);
+      }
 }
 
 template <class Action>
-void BroadPhase::eachAdded(const CoarseBox& box, const Action& action) const
+void BroadPhase::eachFrom(std::size_t begin, std::size_t end, const Extent& extent, const Action& action) const
 {
-  for (const std::uint32_t index : added_large_) action(index);
+  for (std::size_t q = begin; q < end; ++q)
+    if (entries_[q].overlaps(extent)) action(index_[q]);
+}
+
+template <class Action>
+void BroadPhase::eachInRows(const Cell& first, const Cell& last, const Extent& extent, const Action& action) const
+{
+  for (int z = first[2]; z <= last[2]; ++z)
+    for (int y = first[1]; y <= last[1]; ++y)
+      eachFrom(start_[cell(first[0], y, z)], start_[cell(last[0], y, z) + 1], extent, action);
+}
+
+template <class Action>
+void BroadPhase::eachInCells(const Extent& extent, const Action& action) const
+{
+  eachInRows(firstBefore(extent.low), cellAt(extent.high), extent, action);
+}
+
+template <class Action>
+void BroadPhase::eachPair(std::size_t begin, std::size_t end, const Action& action) const
+{
+  for (std::size_t p = begin; p < std::min(end, in_cells_); ++p)
+  {
+    const Extent extent = entries_[p];
+    const auto pairUp = [&, index = index_[p]](std::uint32_t other) { action(index, other); };
+    // Of two boxes the one whose cell comes first looks for the other: further on in its row, in rows behind, in layers above.
+    const Cell own = cellAt(extent.low), first = firstBefore(extent.low), last = cellAt(extent.high);
+    eachFrom(p + 1, start_[cell(last[0], own[1], own[2]) + 1], extent, pairUp);
+    eachInRows({first[0], own[1] + 1, own[2]}, {last[0], last[1], own[2]}, extent, pairUp);
+    eachInRows({first[0], first[1], own[2] + 1}, last, extent, pairUp);
+  }
+  for (std::size_t p = std::max(begin, in_cells_); p < end; ++p)
+  {
+    const Extent extent = entries_[p];
+    const auto pairUp = [&, index = index_[p]](std::uint32_t other) { action(index, other); };
+    eachInCells(extent, pairUp);
+    eachFrom(p + 1, boxes_, extent, pairUp);
+  }
+}
+
+template <class AnyBox, class Action>
+void BroadPhase::eachOverlapping(const AnyBox& box, const Action& action) const
+{
+  if (box.empty()) return;
+  const Extent extent = extentOf(box);
+  eachInCells(extent, action);
+  eachFrom(in_cells_, boxes_, extent, action);
+}
+
+template <class AnyBox, class Action>
+void BroadPhase::eachAdded(const AnyBox& box, const Action& action) const
+{
+  if (added_boxes_.empty() || box.empty()) return;
+  const Extent extent = extentOf(box);
+  for (const std::uint32_t entry : added_large_)
+    if (added_boxes_[entry].extent.overlaps(extent)) action(added_boxes_[entry].index);
   if (added_.empty()) return;
-  const Range r = cellsOf(cornerAt(box.low), cornerAt(box.high), 0);
-  for (int z = r.low[2]; z <= r.high[2]; ++z)
-    for (int y = r.low[1]; y <= r.high[1]; ++y)
-      for (int x = r.low[0]; x <= r.high[0]; ++x)
+  const Cell first = cellAt(extent.low), last = cellAt(extent.high);
+  for (int z = first[2]; z <= last[2]; ++z)
+    for (int y = first[1]; y <= last[1]; ++y)
+      for (int x = first[0]; x <= last[0]; ++x)
         for (std::uint32_t e = added_start_[cell(x, y, z)]; e != kNoEntry; e = added_[e].next)
         {
-          const std::array<int, 3>& low = added_[e].low;  // of all cells that both are in, the first one tells
-          if (x == std::max(r.low[0], low[0]) && y == std::max(r.low[1], low[1]) && z == std::max(r.low[2], low[2]))
-            action(added_[e].index);
+          const AddedBox& added = added_boxes_[added_[e].box];
+          if (!added.extent.overlaps(extent)) continue;
+          const Cell its = cellAt(added.extent.low);  // of all cells that both are in, the first one tells
+          if (x == std::max(first[0], its[0]) && y == std::max(first[1], its[1]) && z == std::max(first[2], its[2]))
+            action(added.index);
         }
 }
 }  // namespace ping_pong

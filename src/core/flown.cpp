@@ -19,12 +19,10 @@ struct View
 
 constexpr std::uint16_t kMostPieces = 32;  // of a ball in a window; from then on it may have been anywhere near
 
-// Calls look(piece) for every piece that a ball has flown, the last one first, until one answers yes.
+// Calls look(piece) for every piece that a ball has left, the last one first, until one answers yes.
 template <class Look>
-bool anyPiece(const WorldState& world, const Window& window, std::size_t i, const Look& look)
+bool anyPieceLeft(const WorldState& world, std::size_t i, const Look& look)
 {
-  const Segment& path = world.balls[i].path;
-  if (look(View{ParabolaView(path), window.end, isParabola(path)})) return true;
   for (std::uint32_t entry = world.islands.last_piece[i]; entry != IslandRecords::kNoEntry;)
   {
     const Piece& piece = world.islands.piece(entry);
@@ -32,6 +30,12 @@ bool anyPiece(const WorldState& world, const Window& window, std::size_t i, cons
     entry = piece.earlier;
   }
   return false;
+}
+
+View onItsPath(const WorldState& world, const Window& window, std::size_t i)
+{
+  const Segment& path = world.balls[i].path;
+  return {ParabolaView(path), window.end, isParabola(path)};
 }
 
 bool meet(const View& a, const View& b, double reach)
@@ -42,6 +46,17 @@ bool meet(const View& a, const View& b, double reach)
   if (!a.parabola || !b.parabola || a.path.half_a != b.path.half_a) return true;
   count(Law::PairSearch);
   return firstContact(a.path, b.path, reach, from, until).found();
+}
+
+// On paths that both, or one of them, have left.
+bool metBefore(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
+{
+  const double reach = world.balls[i].params().radius + world.balls[k].params().radius;
+  const View my_last = onItsPath(world, window, i), its_last = onItsPath(world, window, k);
+  const auto meetsK = [&](const View& mine)
+  { return anyPieceLeft(world, k, [&](const View& other) { return meet(mine, other, reach); }); };
+  return meetsK(my_last) ||
+         anyPieceLeft(world, i, [&](const View& mine) { return meet(mine, its_last, reach) || meetsK(mine); });
 }
 
 bool asLittleIsKnown(const Piece& piece, const Segment& path)
@@ -70,7 +85,7 @@ void noteFlown(WorldState& world, const Window& window, std::size_t i, double t)
   IslandRecords& islands = world.islands;
   IslandWork& work = *window.work;
   const BallRecord& ball = world.balls[i];
-  islands.swept[i].add(CoarseBox(boxOf(ball, window.start, t)));
+  islands.sweptBy(i).add(CoarseBox(boxOf(ball, window.start, t)));
   const std::uint32_t last = islands.last_piece[i];
   std::uint16_t count = 1;
   if (last != IslandRecords::kNoEntry)
@@ -85,25 +100,21 @@ void noteFlown(WorldState& world, const Window& window, std::size_t i, double t)
 
 void noteSomewhere(WorldState& world, const Window& window, std::size_t i, const Box& box, double t)
 {
-  world.islands.swept[i].add(CoarseBox(box));
+  world.islands.sweptBy(i).add(CoarseBox(box));
   forgetPath(window.work->pieces[IslandRecords::indexOf(world.islands.last_piece[i])], t);
 }
 
 void forgetFlown(IslandRecords& islands, std::size_t i)
 {
-  islands.swept[i] = CoarseBox();
+  islands.sweptBy(i) = CoarseBox();
   islands.last_piece[i] = IslandRecords::kNoEntry;
 }
 
 void noteLast(WorldState& world, const Window& window, std::size_t i)
 {
   IslandRecords& islands = world.islands;
-  const CoarseBox last(boxOf(world.balls[i], window.start, window.end));
   const bool bent = islands.last_piece[i] != IslandRecords::kNoEntry;
-  if (bent)
-    islands.swept[i].add(last);
-  else
-    islands.swept[i] = last;
+  islands.sweptBy(i).add(CoarseBox(boxAhead(world.balls[i], window.start, window.outlook)));
   islands.glances.lookAt(world.balls[i], i, bent);
 }
 
@@ -118,13 +129,11 @@ double firstMeeting(const WorldState& world, std::size_t i, std::size_t k, doubl
   return firstContact(viewOf(a, kind_a), viewOf(b, kind_b), kind_a.radius + kind_b.radius, std::max(a.start, b.start), until).time;
 }
 
-bool metInFlight(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
+Encounter encounterOf(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
   const Glances& glances = world.islands.glances;
-  if (!glances[i].bent && !glances[k].bent) return firstMeeting(world, i, k, window.end) <= window.end;
-  const double reach = world.balls[i].params().radius + world.balls[k].params().radius;
-  return anyPiece(world, window, i,
-                  [&](const View& mine)
-                  { return anyPiece(world, window, k, [&](const View& other) { return meet(mine, other, reach); }); });
+  if ((glances[i].bent || glances[k].bent) && metBefore(world, window, i, k)) return {true, kNever};
+  const double next = firstMeeting(world, i, k, window.outlook);
+  return {next <= window.end, next};
 }
 }  // namespace ping_pong

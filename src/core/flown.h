@@ -18,10 +18,15 @@ void forgetFlown(IslandRecords& islands, std::size_t i);
 /// To be called when ball i has no more events in this window: the path that it is on takes it to the end.
 void noteLast(WorldState& world, const Window& window, std::size_t i);
 
-/// When balls i and k meet on the paths that they are on, if it is until then; a search without an answer says up to when they do not [s].
+/// When balls i and k meet on the paths that they are on, if it is until then; a search without an answer says up to when they
+/// do not [s].
 double firstMeeting(const WorldState& world, std::size_t i, std::size_t k, double until);
 
-/// Whether balls i and k, flown apart, come into each other's way in the window. A piece that is no parabola may say so too
-/// often.
-bool metInFlight(const WorldState& world, const Window& window, std::size_t i, std::size_t k);
+/// Of balls flown apart.
+struct Encounter
+{
+  bool met;     ///< they came into each other's way in the window; a piece that is no parabola may say so too often
+  double next;  ///< else: when they meet on the paths that they are on, if it is until the outlook ends, see firstMeeting() [s]
+};
+Encounter encounterOf(const WorldState& world, const Window& window, std::size_t i, std::size_t k);
 }  // namespace ping_pong

@@ -25,7 +25,8 @@ struct Glance
 {
   float next = 0.0f;       ///< no event with a body is earlier [s]
   std::uint16_t kind = 0;  ///< entry in Glances::kinds
-  bool bent = false;       ///< the ball has left a path in this window
+  bool bent = false;       ///< the ball has left a path in this window,
+  bool added = false;      ///< or in one before since the grid was built, or may have
   double start = 0.0;      ///< of the path [s]
   Vector3d p, v;           ///< there, in W [m, m/s]
 };

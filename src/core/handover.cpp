@@ -47,20 +47,20 @@ Box boxAround(const BallRecord& ball, double start, double end)
 }
 
 // Joins whoever is near, and who is near them, and so on.
-void spread(WorldState& world, double start)
+void spread(WorldState& world, double start, double end)
 {
   IslandRecords& islands = world.islands;
   for (std::size_t first = 0; first < islands.near.size(); ++first)
   {
     islands.found.clear();
-    islands.broad_phase.eachOverlapping(islands.swept[islands.near[first]], islands.swept,
-                                        [&](std::uint32_t k) { islands.found.push_back(k); });
+    islands.broad_phase.eachOverlapping(islands.near_boxes[first], [&](std::uint32_t k) { islands.found.push_back(k); });
     std::sort(islands.found.begin(), islands.found.end());
     for (const std::uint32_t k : islands.found)
     {
       if (world.balls[k].away()) continue;
-      join(world, k, start);
       islands.near.push_back(k);
+      islands.near_boxes.emplace_back(boxAround(world.balls[k], start, end));
+      join(world, k, start);
     }
   }
 }
@@ -125,21 +125,22 @@ void joinPile(WorldState& world, double start, double end)
 {
   if (world.pile.ball.size() == world.balls.size()) return;
   IslandRecords& islands = world.islands;
-  islands.swept.clear();
-  for (const BallRecord& ball : world.balls)
-    islands.swept.push_back(ball.away() ? CoarseBox() : CoarseBox(boxAround(ball, start, end)));
-  islands.broad_phase.build(islands.swept, world.workers);
+  const auto boxOfFree = [&](std::size_t i)
+  { return world.balls[i].away() ? Box() : boxAround(world.balls[i], start, end); };
+  islands.broad_phase.build(world.balls.size(), boxOfFree, world.workers);
   islands.near.clear();
   for (const std::uint32_t piled : world.pile.ball)
   {
-    islands.broad_phase.eachOverlapping(CoarseBox(boxAround(world.balls[piled], start, end)), islands.swept, [&](std::uint32_t other) {
+    islands.broad_phase.eachOverlapping(boxAround(world.balls[piled], start, end), [&](std::uint32_t other) {
       if (!world.balls[other].away()) islands.near.push_back(other);
     });
   }
   std::sort(islands.near.begin(), islands.near.end());
   islands.near.erase(std::unique(islands.near.begin(), islands.near.end()), islands.near.end());
+  islands.near_boxes.clear();
+  for (const std::uint32_t other : islands.near) islands.near_boxes.emplace_back(boxAround(world.balls[other], start, end));
   for (const std::uint32_t other : islands.near) join(world, other, start);
-  spread(world, start);
+  spread(world, start, end);
 }
 
 void movePile(WorldState& world, double start, double end, double smooth_until)

@@ -70,7 +70,7 @@ void findWhoWasMet(WorldState& world, const Window& window, std::uint32_t root)
   const IslandRecords& islands = world.islands;
   for (std::uint32_t i = islands.next[root];; i = islands.next[i])
   {
-    if (world.balls[i].met) findWhoWasMetBy(world, window, i);
+    if (world.balls[i].met) lookAround(world, window, i);
     if (i == root) return;
   }
 }
@@ -81,7 +81,7 @@ void addWhoWasThrown(WorldState& world)
   for (const std::uint32_t root : islands.islands)
     for (std::uint32_t i = islands.next[root];; i = islands.next[i])
     {
-      if (world.balls[i].met) islands.broad_phase.add(i, islands.swept[i]);
+      if (world.balls[i].met) islands.addToGrid(i);
       if (i == root) break;
     }
 }
@@ -94,18 +94,7 @@ void save(WorldState& world, IslandWork& work, std::size_t i)
   saved = IslandRecords::entry(work, work.saved.size());
   work.saved.push_back(world.balls[i]);
   work.changed.push_back(static_cast<std::uint32_t>(i));
-}
-
-void findWhoWasMetBy(WorldState& world, const Window& window, std::uint32_t i)
-{
-  const IslandRecords& islands = world.islands;
-  islands.eachNear(i,
-                   [&](std::uint32_t k)
-                   {
-                     if (islands.root[k] == islands.root[i]) return;
-                     ++window.work->near_pairs;
-                     if (metInFlight(world, window, i, k)) window.work->met.push_back({i, k});
-                   });
+  work.swept.emplace_back();
 }
 
 void uniteWhoMet(IslandRecords& islands)

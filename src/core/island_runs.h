@@ -8,9 +8,6 @@ namespace ping_pong
 /// Keeps the ball as it is at the start of the window; nothing if that has been done.
 void save(WorldState& world, IslandWork& work, std::size_t i);
 
-/// Looks for balls outside of its island that ball i has met in the window.
-void findWhoWasMetBy(WorldState& world, const Window& window, std::uint32_t i);
-
 /// Those who met are of one island now; its root stands in the list of islands that have to run.
 void uniteWhoMet(IslandRecords& islands);
 

@@ -48,20 +48,21 @@ void startAnew(WorldState& world)
   islands.glances.lookAtAll(world.balls);
   for (std::vector<std::uint32_t>* list : {&islands.saved_at, &islands.root, &islands.next, &islands.last_piece})
     list->resize(n);
-  islands.swept.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) alone(islands, i);
   for (BallRecord& ball : world.balls) alone(ball);
 }
 
 // As it was before this window, for those that are not.
-void forgetIslands(WorldState& world)
+void forgetIslands(WorldState& world, bool ahead)
 {
-  for (const IslandWork& work : world.islands.work)
+  IslandRecords& islands = world.islands;
+  for (const IslandWork& work : islands.work)
     for (const std::uint32_t i : work.changed)
     {
-      alone(world.islands, i);
+      alone(islands, i);
       alone(world.balls[i]);
-      world.islands.glances[i].bent = false;
+      islands.glances[i].bent = false;
+      if (ahead && isDue(islands, i)) islands.due.push_back(i);
     }
 }
 
@@ -81,6 +82,7 @@ void begin(WorldState& world)
     work.crowding = work.any_squeezed = false;
     work.saved.clear();
     work.changed.clear();
+    work.swept.clear();
     work.pieces.clear();
     work.met.clear();
     work.crowded.clear();
@@ -156,8 +158,9 @@ Outcome runWindow(WorldState& world, const Window& window)
   }
   if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
   takeContacts(world);
-  if (islands.outlook.end > window.end) lookAhead(world, window);
-  forgetIslands(world);
+  const bool ahead = window.outlook > window.end;
+  if (ahead) lookAhead(world, window);
+  forgetIslands(world, ahead);
   return Outcome::Done;
 }
 

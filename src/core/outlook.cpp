@@ -4,12 +4,12 @@
 
 #include "exact_method.h"
 #include "flown.h"
+#include "island_runs.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr std::size_t kBalls = 64;     // that a worker takes at a time
 constexpr double kMostChanges = 0.25;  // by ball: then it is time for a new grid
 
 bool unchanged(const WorldState& world, const Meeting& meeting)
@@ -33,16 +33,20 @@ void gather(IslandRecords& islands)
   }
 }
 
-void lookAround(const WorldState& world, const Window& window, IslandWork& work, std::uint32_t i)
+void note(const WorldState& world, IslandWork& work, std::uint32_t i, std::uint32_t k, double t)
 {
-  const IslandRecords& islands = world.islands;
-  islands.eachNear(i,
-                   [&](std::uint32_t k)
-                   {
-                     if (k < i && islands.saved_at[k] != IslandRecords::kNoEntry) return;  // it looks for this one
-                     ++work.near_pairs;
-                     noteMeeting(world, window, work, i, k);
-                   });
+  work.meetings.push_back({floatBefore(t), i, k, world.balls[i].version, world.balls[k].version});
+}
+
+void lookForNext(const WorldState& world, const Window& window, std::uint32_t i)
+{
+  world.islands.eachNear(i, boxAhead(world.balls[i], window.end, window.outlook),
+                         [&](std::uint32_t k)
+                         {
+                           ++window.work->near_pairs;
+                           const double t = firstMeeting(world, i, k, window.outlook);
+                           if (t <= window.outlook) note(world, *window.work, i, k, t);
+                         });
 }
 }  // namespace
 
@@ -58,66 +62,66 @@ void beginOutlook(WorldState& world, const Window& window)
   outlook.end = window.outlook;
   outlook.meetings.clear();
   for (IslandWork& work : world.islands.work) work.meetings.clear();
-  outlook.changes = outlook.near_pairs = outlook.pair_searches = outlook.events = 0;
+  for (const std::uint32_t i : outlook.added) world.islands.glances[i].added = false;
+  outlook.added.clear();
+  outlook.near_pairs = outlook.pair_searches = outlook.events = 0;
 }
 
-void noteMeeting(const WorldState& world, const Window& window, IslandWork& work, std::uint32_t i, std::uint32_t k)
+void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, std::uint32_t k)
 {
-  const double t = firstMeeting(world, i, k, window.outlook);
-  if (!(t <= window.outlook)) return;
-  work.meetings.push_back({floatBefore(t), i, k, world.balls[i].version, world.balls[k].version});
+  ++window.work->near_pairs;
+  const Encounter encounter = encounterOf(world, window, i, k);
+  if (encounter.met)
+    window.work->met.push_back({i, k});
+  else if (encounter.next <= window.outlook)
+    note(world, *window.work, i, k, encounter.next);
+}
+
+void lookAround(WorldState& world, const Window& window, std::uint32_t i)
+{
+  IslandRecords& islands = world.islands;
+  islands.eachNear(i, islands.sweptBy(i),
+                   [&](std::uint32_t k)
+                   {
+                     if (islands.root[k] != islands.root[i]) return lookAtPair(world, window, i, k);
+                     if (k < i && world.balls[k].met) return;  // it looks for this one
+                     ++window.work->near_pairs;
+                     const double t = firstMeeting(world, i, k, window.outlook);
+                     if (t <= window.outlook) note(world, *window.work, i, k, t);
+                   });
 }
 
 void takeMeetings(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
   std::vector<Meeting>& heap = islands.outlook.meetings;
-  std::vector<Meeting>& later = islands.work.front().meetings;
+  IslandWork& work = islands.work.front();
   for (; !heap.empty() && static_cast<double>(heap.front().time) <= window.end; heap.pop_back())
   {
     std::pop_heap(heap.begin(), heap.end());
     const Meeting meeting = heap.back();
     if (!unchanged(world, meeting)) continue;
-    if (metInFlight(world, window, meeting.first, meeting.second))
-      islands.work.front().met.push_back({meeting.first, meeting.second});
-    else
-      later.push_back(meeting);
+    const Encounter encounter = encounterOf(world, window, meeting.first, meeting.second);
+    if (encounter.met)
+      work.met.push_back({meeting.first, meeting.second});
+    else if (encounter.next <= window.outlook)  // the time was rounded, or the search for it had ended without an answer
+      note(world, work, meeting.first, meeting.second, encounter.next);
   }
-  // The time was rounded, or the search for it had ended without an answer.
-  std::size_t kept = 0;
-  for (const Meeting& meeting : later)
-  {
-    const double t = firstMeeting(world, meeting.first, meeting.second, window.outlook);
-    if (!(t <= window.outlook)) continue;
-    later[kept] = meeting;
-    later[kept++].time = floatBefore(t);
-  }
-  later.resize(kept);
   gather(islands);
 }
 
+// Whoever was in an island, but has not been hit, has lost the meetings that were the reason.
 void lookAhead(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
-  std::vector<std::uint32_t>& changed = islands.near;
-  changed.clear();
+  std::vector<std::uint32_t>& unhit = islands.near;
+  unhit.clear();
   for (const IslandWork& work : islands.work)
     for (const std::uint32_t i : work.changed)
-    {
-      const bool away = world.balls[i].away();
-      islands.swept[i] = away ? CoarseBox() : CoarseBox(boxAhead(world.balls[i], window.end, window.outlook));
-      if (away) continue;
-      islands.broad_phase.add(i, islands.swept[i]);
-      changed.push_back(i);
-    }
-  world.workers.each(changed.size(), kBalls,
-                     [&](std::size_t begin, std::size_t end, std::size_t worker)
-                     {
-                       for (std::size_t c = begin; c < end; ++c) lookAround(world, window, islands.work[worker], changed[c]);
-                     });
+      if (!islands.glances[i].bent && !world.balls[i].away()) unhit.push_back(i);
+  eachOf(unhit, world, window, lookForNext);
   gather(islands);
-  islands.outlook.changes += changed.size();
-  if (static_cast<double>(islands.outlook.changes) > kMostChanges * static_cast<double>(world.balls.size()))
+  if (static_cast<double>(islands.outlook.added.size()) > kMostChanges * static_cast<double>(world.balls.size()))
     islands.outlook.end = window.end;
 }
 }  // namespace ping_pong

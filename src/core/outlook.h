@@ -29,7 +29,7 @@ struct Outlook
 {
   double start = 0.0, end = 0.0;   ///< [s]
   std::vector<Meeting> meetings;   ///< a heap
-  std::size_t changes = 0;         ///< of balls' paths since it began
+  std::vector<std::uint32_t> added;  ///< balls whose paths have changed since it began, by each change
   std::size_t near_pairs = 0, pair_searches = 0, events = 0;  ///< since it began
 };
 
@@ -39,12 +39,16 @@ Box boxAhead(const BallRecord& ball, double from, double to);
 /// Forgets what has been foreseen; whom balls meet from the start of this window to the end of its outlook will be noted.
 void beginOutlook(WorldState& world, const Window& window);
 
-/// Notes that balls i and k, on the paths that they are on, meet between the end of this window and the end of its outlook, if so.
-void noteMeeting(const WorldState& world, const Window& window, IslandWork& work, std::uint32_t i, std::uint32_t k);
+/// Notes that balls i and k have met in this window, or that on the paths that they are on they will meet until its outlook
+/// ends, if so.
+void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, std::uint32_t k);
+
+/// Does so for ball i, whose path has changed, with all others but those of its own island, who will meet it but have not.
+void lookAround(WorldState& world, const Window& window, std::uint32_t i);
 
 /// Those who meet in this window on the paths that they are on are noted as having met.
 void takeMeetings(WorldState& world, const Window& window);
 
-/// At the end of a window: looks for meetings of all balls that have changed in it, and notes what they sweep from then on.
+/// At the end of a window: what was noted is all that is known of the rest of the outlook.
 void lookAhead(WorldState& world, const Window& window);
 }  // namespace ping_pong

@@ -1,5 +1,7 @@
 #include "window_flight.h"
 
+#include <algorithm>
+
 #include "flown.h"
 #include "island_runs.h"
 
@@ -24,17 +26,18 @@ bool hasEvents(const WorldState& world, std::size_t i, double end)
 }
 
 // What it sweeps if nothing happens to it.
-CoarseBox quietBox(const WorldState& world, const Window& window, std::size_t i)
+Box quietBox(const WorldState& world, const Window& window, std::size_t i)
 {
   const Glance& glance = world.islands.glances[i];
   const GlanceKind& kind = world.islands.glances.kindOf(glance);
   if (kind.how == GlanceKind::How::Away) return {};
-  if (kind.how == GlanceKind::How::AskRecord) return CoarseBox(boxAhead(world.balls[i], window.start, window.outlook));
-  return CoarseBox(boxOf(viewOf(glance, kind), kind.radius, window.start, window.outlook));
+  if (kind.how == GlanceKind::How::AskRecord) return boxAhead(world.balls[i], window.start, window.outlook);
+  return boxOf(viewOf(glance, kind), kind.radius, window.start, window.outlook);
 }
 
 void runAlone(WorldState& world, Window& window, std::size_t i)
 {
+  window.count = 1;
   save(world, *window.work, i);
   forgetFlown(world.islands, i);
   window.members = &i;
@@ -50,11 +53,40 @@ void eachBall(WorldState& world, const Window& window, const Action& action)
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
                        Window its = ofWorker(world, window, worker);
-                       its.count = 1;
-                       for (std::size_t i = begin; i < end; ++i) action(i, its);
+                       for (std::size_t i = begin; i < end; ++i) action(static_cast<std::uint32_t>(i), its);
                      });
 }
+
+void gatherDue(IslandRecords& islands)
+{
+  islands.due.clear();
+  for (IslandWork& work : islands.work)
+  {
+    islands.due.insert(islands.due.end(), work.due.begin(), work.due.end());
+    work.due.clear();
+  }
+}
+
+// Those whose event may be until then, each once.
+void takeDue(IslandRecords& islands, double end, std::vector<std::uint32_t>& list)
+{
+  list.clear();
+  std::size_t kept = 0;
+  for (const std::uint32_t i : islands.due)
+    if (static_cast<double>(islands.glances[i].next) <= end)
+      list.push_back(i);
+    else
+      islands.due[kept++] = i;
+  islands.due.resize(kept);
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
 }  // namespace
+
+bool isDue(const IslandRecords& islands, std::size_t i)
+{
+  return static_cast<double>(islands.glances[i].next) <= islands.outlook.end;
+}
 
 bool seesAhead(const IslandRecords& islands, double end)
 {
@@ -64,48 +96,54 @@ bool seesAhead(const IslandRecords& islands, double end)
 void flyAnew(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
+  BroadPhase& grid = islands.broad_phase;
   const bool ahead = window.outlook > window.end;
   beginOutlook(world, window);
+  grid.layOut(world.balls.size(), [&](std::size_t i) { return quietBox(world, window, i); });
   eachBall(world, window,
-           [&](std::size_t i, Window& its)
+           [&](std::uint32_t i, Window& its)
            {
              if (hasEvents(world, i, window.end))
+             {
                runAlone(world, its, i);
+               grid.put(i, islands.sweptBy(i));
+             }
              else
-               islands.swept[i] = quietBox(world, window, i);
+             {
+               grid.put(i, quietBox(world, window, i));
+               if (ahead && isDue(islands, i)) its.work->due.push_back(i);
+             }
            });
-  islands.broad_phase.build(islands.swept, world.workers);
-  world.workers.each(islands.broad_phase.boxes(), kBalls,
+  grid.sort();
+  gatherDue(islands);
+  world.workers.each(grid.boxes(), kBalls,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
-                       IslandWork& its = islands.work[worker];
-                       islands.broad_phase.eachPair(begin, end, islands.swept,
-                                                    [&](std::uint32_t a, std::uint32_t b)
-                                                    {
-                                                      ++its.near_pairs;
-                                                      if (metInFlight(world, window, a, b))
-                                                        its.met.push_back({a, b});
-                                                      else if (ahead)
-                                                        noteMeeting(world, window, its, a, b);
-                                                    });
+                       const Window its = ofWorker(world, window, worker);
+                       grid.eachPair(begin, end, [&](std::uint32_t a, std::uint32_t b) { lookAtPair(world, its, a, b); });
                      });
 }
 
 void flyOn(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
-  eachBall(world, window,
-           [&](std::size_t i, Window& its)
-           {
-             if (hasEvents(world, i, window.end)) runAlone(world, its, i);
-           });
-  std::vector<std::uint32_t>& bent = islands.near;
-  bent.clear();
-  for (const IslandWork& work : islands.work)
-    for (const std::uint32_t i : work.changed)
-      if (islands.glances[i].bent) bent.push_back(i);
-  for (const std::uint32_t i : bent) islands.broad_phase.add(i, islands.swept[i]);
-  eachOf(bent, world, window, findWhoWasMetBy);
+  std::vector<std::uint32_t>& list = islands.near;
+  takeDue(islands, window.end, list);
+  eachOf(list, world, window,
+         [](WorldState& its_world, Window its, std::uint32_t i)
+         {
+           if (hasEvents(its_world, i, its.end)) runAlone(its_world, its, i);
+         });
+  std::size_t bent = 0;
+  for (const std::uint32_t i : list)
+  {
+    if (islands.saved_at[i] == IslandRecords::kNoEntry) islands.due.push_back(i);  // later: its time was rounded
+    if (!islands.glances[i].bent) continue;
+    islands.addToGrid(i);
+    list[bent++] = i;
+  }
+  list.resize(bent);
+  eachOf(list, world, window, lookAround);
   takeMeetings(world, window);
 }
 }  // namespace ping_pong

@@ -8,6 +8,9 @@ namespace ping_pong
 /// The outlook of a window before this one holds to its end.
 bool seesAhead(const IslandRecords& islands, double end);
 
+/// Ball i may have an event with a body until the outlook ends.
+bool isDue(const IslandRecords& islands, std::size_t i);
+
 /// All fly, and each looks for others in its way.
 void flyAnew(WorldState& world, const Window& window);
 

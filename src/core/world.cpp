@@ -272,12 +272,9 @@ std::vector<char> World::Impl::ballsThatOverlap()
 {
   std::vector<char> overlapping(balls.size(), balls.size() < kManyBalls);
   if (balls.size() < kManyBalls) return overlapping;
-  // In the memory of the next window.
-  std::vector<CoarseBox>& boxes = islands.swept;
-  boxes.clear();
-  for (const BallRecord& ball : balls) boxes.emplace_back(boxOf(ball, time, time));
-  islands.broad_phase.build(boxes, workers);
-  islands.broad_phase.eachPair(0, islands.broad_phase.boxes(), boxes, [&](std::uint32_t a, std::uint32_t b) {
+  BroadPhase& grid = islands.broad_phase;  // of the next window: its memory is there
+  grid.build(balls.size(), [&](std::size_t i) { return boxOf(balls[i], time, time); }, workers);
+  grid.eachPair(0, grid.boxes(), [&](std::uint32_t a, std::uint32_t b) {
     if (spheresOverlap(balls[a], balls[b], time)) overlapping[a] = overlapping[b] = true;
   });
   return overlapping;

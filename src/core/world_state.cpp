@@ -59,10 +59,10 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
 {
   broad_phase.reserve(balls);
   glances.reserve(balls);
-  takeMemory(swept, balls);
   for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &last_piece}) takeMemory(*list, balls);
   const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
-  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) takeMemory(*list, meetings);
+  for (std::vector<std::uint32_t>* list : {&islands, &found, &near, &due, &outlook.added}) takeMemory(*list, meetings);
+  takeMemory(near_boxes, balls);
   takeMemory(outlook.meetings, meetings);
   takeMemory(order, 256 + 8 * balls);
   work.resize(workers);
@@ -72,6 +72,8 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     its.worker = worker;
     its.saved.reserve(balls);
     takeMemory(its.changed, balls);
+    takeMemory(its.swept, balls);
+    takeMemory(its.due, balls);
     takeMemory(its.members, balls);
     takeMemory(its.crowded, balls);
     takeMemory(its.met, meetings);

@@ -160,14 +160,16 @@ struct IslandWork : Records
   std::uint32_t worker = 0;
   std::vector<BallRecord> saved;      ///< balls at the start of the window, of those that have changed since
   std::vector<std::uint32_t> changed;  ///< their indices
+  std::vector<CoarseBox> swept;       ///< by them in this window and on the path that they are on, until the outlook ends
   std::vector<Piece> pieces;          ///< flown in this window, see flown.h
   std::vector<std::size_t> members;   ///< the island at work
   std::vector<std::array<std::uint32_t, 2>> met;  ///< balls that are in each other's way
   std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see handover.h
   std::vector<Meeting> meetings;      ///< after this window
+  std::vector<std::uint32_t> due;     ///< see IslandRecords
 };
 
-/// What the exact method keeps from window to window, see islands.h. Lists by ball but for `swept` are written for those that
+/// What the exact method keeps from window to window, see islands.h. Lists by ball are written for those that
 /// change only, and are as at first between windows: no entries, each ball an island of its own.
 struct IslandRecords
 {
@@ -183,6 +185,8 @@ struct IslandRecords
   const IslandWork& workOf(std::uint32_t entry) const { return work[entry >> kIndexBits]; }
   static std::uint32_t indexOf(std::uint32_t entry) { return entry & ((1u << kIndexBits) - 1u); }
   const BallRecord& saved(std::uint32_t entry) const { return workOf(entry).saved[indexOf(entry)]; }
+  /// By ball i, that has changed in this window.
+  CoarseBox& sweptBy(std::size_t i) { return workOf(saved_at[i]).swept[indexOf(saved_at[i])]; }
   const IslandWork::Piece& piece(std::uint32_t entry) const { return workOf(entry).pieces[indexOf(entry)]; }
 
   /// Of a contact in the order of a window's contacts.
@@ -203,13 +207,14 @@ struct IslandRecords
   std::uint32_t runs = 0;                  ///< of all islands that are not settled, in this window
   Glances glances;                         ///< of each ball
   BroadPhase broad_phase;                  ///< of what each ball would sweep if no other were there
-  std::vector<CoarseBox> swept;            ///< by each ball in this window and what is left of its outlook
   std::vector<IslandWork> work;            ///< of each worker
   std::vector<std::uint32_t> saved_at;     ///< entry in `saved` of a worker, by ball
   std::vector<std::uint32_t> root;         ///< union-find over balls; the least index of an island is its root
   std::vector<std::uint32_t> next;         ///< circular list of an island's balls
   std::vector<std::uint32_t> islands;      ///< roots of those that have to run
-  std::vector<std::uint32_t> found, near;  ///< balls near a pile
+  std::vector<std::uint32_t> due;          ///< balls that may have an event with a body in the outlook, some twice
+  std::vector<std::uint32_t> found, near;  ///< balls near a pile; a list for a moment
+  std::vector<CoarseBox> near_boxes;       ///< of those near a pile
   std::vector<std::uint32_t> last_piece;   ///< entry in `pieces` of a worker, by ball
   std::vector<Place> order;                ///< of the window's contacts
   std::vector<std::uint32_t> crowded;      ///< balls of an island with events without end, see handover.h
@@ -217,16 +222,28 @@ struct IslandRecords
   /// Takes the memory for so many balls now, not while the world moves on.
   void reserve(std::size_t balls, std::size_t workers);
 
-  /// Calls action(k) for every other ball k whose box overlaps that of ball i; for some twice.
-  template <class Action>
-  void eachNear(std::uint32_t i, const Action& action) const
+  /// Ball i is elsewhere than it was when the outlook began: from now on in what it sweeps.
+  void addToGrid(std::uint32_t i)
   {
-    const auto lookAt = [&](std::uint32_t k)
-    {
-      if (k != i && swept[k].overlaps(swept[i])) action(k);
-    };
-    broad_phase.eachOverlapping(swept[i], swept, lookAt);
-    broad_phase.eachAdded(swept[i], lookAt);
+    glances[i].added = true;
+    outlook.added.push_back(i);
+    broad_phase.add(i, sweptBy(i));
+  }
+
+  /// Calls action(k) for every other ball k whose box overlaps this one of ball i; for some twice.
+  template <class AnyBox, class Action>
+  void eachNear(std::uint32_t i, const AnyBox& box, const Action& action) const
+  {
+    broad_phase.eachOverlapping(box,
+                                [&](std::uint32_t k)
+                                {
+                                  if (k != i && !glances[k].added) action(k);
+                                });
+    broad_phase.eachAdded(box,
+                          [&](std::uint32_t k)
+                          {
+                            if (k != i) action(k);
+                          });
   }
 };
 
