@@ -37,6 +37,27 @@ double memory(const std::string& key)
   throw std::runtime_error("no " + key + " in /proc/self/status");
 }
 
+/// How much memory the process has taken at most since it began, but for what is taken between pause() and resume().
+class PeakMemory
+{
+public:
+  PeakMemory()
+  {
+    resume();
+    before_ = memory("VmRSS:");
+  }
+  void pause() { peak_ = std::max(peak_, memory("VmHWM:") - before_); }
+  void resume()
+  {
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+  }
+  double bytes() const { return peak_; }
+
+private:
+  double before_ = 0.0, peak_ = 0.0;
+};
+
 /// Our world with what only it can tell.
 class OurCrowd : public Engine
 {
@@ -76,9 +97,7 @@ public:
   Run(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort)
     : crowd_(crowd), effort_(effort), begin_(now()), shared_(sceneOf(point, crowd, balls)), scene_(*shared_), states_(balls)
   {
-    malloc_trim(0);  // what loading took is not the engine's
-    std::ofstream("/proc/self/clear_refs") << 5;
-    const double before = memory("VmRSS:");
+    memory_ = std::make_unique<PeakMemory>();  // what loading took is not the engine's
     const double start = now();
     if (point.engine->name == "ping_pong_sim")
       engine_ = std::make_unique<OurCrowd>(shared_);
@@ -86,13 +105,13 @@ public:
       engine_ = point.engine->make(scene_, point.variant, point.step);
     ours_ = dynamic_cast<OurCrowd*>(engine_.get());
     result_.start = now() - start;
-    measure(before);
+    measure();
     result_.wall = now() - begin_;
   }
   const CrowdResult& result() const { return result_; }
 
 private:
-  void measure(double before)
+  void measure()
   {
     const double energy = look().energy;
     for (double t = 0.0; t < crowd_.warm_up - 0.5 * kTick; t += kTick) engine_->advance(kTick);
@@ -120,8 +139,8 @@ private:
     result_.simulated = done * kTick;
     result_.done = crowd_.steady || done == ticks || (crowd_.enough > 0.0 && result_.simulated >= crowd_.enough - 0.5 * kTick);
     result_.cost = spent / result_.simulated;
-    result_.bytes = memory("VmHWM:") - before;
     const Soundness end = look();
+    result_.bytes = memory_->bytes();
     result_.energy_change = end.energy / energy - 1.0;
     result_.escaped = static_cast<double>(end.escaped);
     if (!ours_) return;
@@ -130,11 +149,14 @@ private:
     result_.hash = ours_->hash();
   }
 
+  // The memory that looking takes is not the engine's.
   Soundness look()
   {
+    memory_->pause();
     for (std::size_t i = 0; i < states_.size(); ++i) states_[i] = engine_->ballState(i);
     const Soundness found = soundnessOf(scene_, states_);
     result_.overlap = std::max(result_.overlap, found.overlap);
+    memory_->resume();
     return found;
   }
 
@@ -153,6 +175,7 @@ private:
   std::vector<BallState> states_;
   std::unique_ptr<Engine> engine_;
   OurCrowd* ours_ = nullptr;
+  std::unique_ptr<PeakMemory> memory_;
   CrowdResult result_;
 };
 }  // namespace

@@ -9,10 +9,11 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kCellsPerBox = 2.0;  // cells of the grid for each box, at most
+constexpr double kCellsPerBox = 1.0;  // cells of the grid for each box, at most
 constexpr double kFinest = 0.5;       // edge of a cell, by the longest box in it
+constexpr double kManyCells = 64.0;   // a box over more cells than this is in no list of a cell
 constexpr double kSpread = 3.0;     // the grid covers so many standard deviations; boxes outside are in its outer cells
-constexpr double kLongEdges = 4.0;  // longer than the mean along an axis by so many standard deviations: in no cell
+constexpr double kLongEdges = 3.0;  // longer than the mean along an axis by so many standard deviations: in no cell
 
 double deviation(double sum, double sum_of_squares, double n)
 {
@@ -26,10 +27,9 @@ void BroadPhase::reserve(std::size_t boxes)
   takeMemory(start_, static_cast<std::size_t>(kCellsPerBox) * boxes + 64);
   takeMemory(index_, boxes);
   takeMemory(entries_, boxes);
-  takeMemory(added_start_, start_.capacity());
-  takeMemory(added_, 16 * boxes);
-  takeMemory(added_boxes_, 2 * boxes);
-  takeMemory(added_large_, boxes);
+  takeMemory(last_link_, start_.capacity());
+  takeMemory(links_, 16 * boxes);
+  takeMemory(everywhere_, boxes);
 }
 
 void BroadPhase::layOut(const Sums& sums, std::size_t count)
@@ -63,16 +63,33 @@ void BroadPhase::layOut(const Sums& sums, std::size_t count)
     count_[i] = static_cast<int>(width[i] / size[i]) + 1;
     last_[i] = kUnits * count_[i] - 1;
   }
+  longest_edges_ = 0;
+  for (int i = 0; i < 3; ++i)
+    longest_edges_ |= static_cast<Corner>(std::min<Corner>(static_cast<Corner>(longest_[static_cast<std::size_t>(i)]), kFieldMask)) << (kField * i);
   entries_.resize(count);
   index_.resize(count);
 }
 
 bool BroadPhase::fits(const Extent& extent) const
 {
-  bool all = true;
-  for (int i = 0; i < 3; ++i)
-    all &= field(extent.high, i) - field(extent.low, i) <= longest_[static_cast<std::size_t>(i)];
-  return all;
+  const Corner edges = (extent.high & ~kBorrows) - extent.low;  // of each axis: none borrows
+  return (((longest_edges_ | kBorrows) - edges) & kBorrows) == kBorrows;
+}
+
+void BroadPhase::addToLists(const Extent& extent, std::uint32_t index)
+{
+  const Cell first = cellAt(extent.low), last = cellAt(extent.high);
+  const double cells = (last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0);
+  if (cells > kManyCells) return everywhere_.push_back({extent, index, kNoLink});
+  if (links_.empty()) last_link_.assign(start_.size(), kNoLink);
+  for (int z = first[2]; z <= last[2]; ++z)
+    for (int y = first[1]; y <= last[1]; ++y)
+      for (int x = first[0]; x <= last[0]; ++x)
+      {
+        std::uint32_t& link = last_link_[cell(x, y, z)];
+        links_.push_back({extent, index, link});
+        link = static_cast<std::uint32_t>(links_.size() - 1);
+      }
 }
 
 // The cell, or one of two more ranges after the last cell: of those in no cell, and of the empty ones.
@@ -85,9 +102,8 @@ std::size_t BroadPhase::rangeOf(const Extent& extent) const
 void BroadPhase::sort()
 {
   count(Law::BroadPhase);
-  added_.clear();
-  added_boxes_.clear();
-  added_large_.clear();
+  links_.clear();
+  everywhere_.clear();
   start_.assign(cell(0, 0, count_[2]) + 3, 0);
   for (const Extent& extent : entries_) ++start_[rangeOf(extent)];
   std::uint32_t total = 0;
@@ -116,5 +132,6 @@ void BroadPhase::sort()
     entries_[hole].low |= kMoved;
     entries_[p].low &= ~kMoved;
   }
+  for (std::size_t p = in_cells_; p < boxes_; ++p) addToLists(entries_[p], index_[p]);
 }
 }  // namespace ping_pong

@@ -1,6 +1,6 @@
 // Which boxes overlap: a uniform grid, made for many small balls of about one size. A box is in the cell of its lower corner,
 // and no longer than so many cells along each axis: where others that overlap it begin is known to the cell. The few that
-// are longer are in no cell, and look at all cells in their way.
+// are longer, and those that come later, are in lists of all cells that they reach.
 #pragma once
 
 #include <algorithm>
@@ -37,21 +37,19 @@ public:
   /// [begin, end) is of boxes(). Shares that cover boxes() once give each pair once.
   template <class Action>
   void eachPair(std::size_t begin, std::size_t end, const Action& action) const;
-  /// Calls action(index) for each that overlaps this box.
+  /// Until the boxes are sorted again this one is there, too, under an index of the caller's.
+  template <class AnyBox>
+  void add(std::uint32_t index, const AnyBox& box)
+  {
+    if (!box.empty()) addToLists(extentOf(box), index | kAdded);
+  }
+  /// Calls action(index, added) for each that overlaps this box, once; `added` is true for those that were.
   template <class AnyBox, class Action>
   void eachOverlapping(const AnyBox& box, const Action& action) const;
 
-  /// Until the boxes are sorted again this one is there, too, under an index of the caller's. Cells are as they are, so that
-  /// looking for it does not mean looking at all that were added.
-  template <class AnyBox>
-  void add(std::uint32_t index, const AnyBox& box);
-  /// Calls action(index) for each added box that overlaps this one, once.
-  template <class AnyBox, class Action>
-  void eachAdded(const AnyBox& box, const Action& action) const;
-
 private:
-  static constexpr std::uint32_t kNoEntry = ~0u;
-  static constexpr double kManyCells = 64.0;  ///< an added box over more cells than this is in none
+  static constexpr std::uint32_t kNoLink = ~0u;
+  static constexpr std::uint32_t kAdded = 1u << 31;  ///< of an index
   static constexpr int kUnitBits = 6;
   static constexpr int kUnits = 1 << kUnitBits;  ///< of length in a cell
   static constexpr int kBits = 20;               ///< of a place in units, along each axis
@@ -77,14 +75,11 @@ private:
       return ((high - other.low) & (other.high - low) & kBorrows) == kBorrows;
     }
   };
-  struct AddedBox
+  struct Listed
   {
     Extent extent;
     std::uint32_t index;
-  };
-  struct Added
-  {
-    std::uint32_t box, next;  // entry in added_boxes_; next entry of the same cell
+    std::uint32_t next;  ///< entry in links_ of the same cell
   };
   using Cell = std::array<int, 3>;  ///< x, y, z
   /// What cells are made for: some of the boxes stand for all.
@@ -133,21 +128,24 @@ private:
   void eachInRows(const Cell& first, const Cell& last, const Extent& extent, const Action& action) const;
   template <class Action>
   void eachInCells(const Extent& extent, const Action& action) const;
+  void addToLists(const Extent& extent, std::uint32_t index);
+  template <class Action>
+  void eachListed(const Extent& extent, const Action& action) const;
 
   std::array<double, 3> origin_{};
   std::array<double, 3> units_per_metre_{1.0, 1.0, 1.0};
   std::array<double, 3> last_{};                ///< greatest coordinates, in units
   std::array<int, 3> longest_{};                ///< edges of a box in a cell, in units
+  Corner longest_edges_ = 0;                    ///< the same, each in its field
   std::array<int, 3> count_{1, 1, 1};           ///< of cells
   std::size_t boxes_ = 0;                       ///< that are not empty
-  std::size_t in_cells_ = 0;                    ///< of these; those in no cell come after them
+  std::size_t in_cells_ = 0;                    ///< of these; those that are too long come after them
   std::vector<std::uint32_t> start_;            ///< of each cell in entries_
   std::vector<Extent> entries_;                 ///< by index, once they are sorted by cell
   std::vector<std::uint32_t> index_;            ///< of each entry
-  std::vector<std::uint32_t> added_start_;      ///< of each cell: its last entry
-  std::vector<Added> added_;
-  std::vector<AddedBox> added_boxes_;
-  std::vector<std::uint32_t> added_large_;      ///< entries in added_boxes_
+  std::vector<std::uint32_t> last_link_;        ///< of each cell
+  std::vector<Listed> links_;
+  std::vector<Listed> everywhere_;              ///< those in no list of a cell
 };
 
 template <class AnyBox>
@@ -218,26 +216,6 @@ void BroadPhase::put(std::uint32_t index, const AnyBox& box)
   entries_[index] = box.empty() ? Extent{kEmpty, 0} : extentOf(box);
 }
 
-template <class AnyBox>
-void BroadPhase::add(std::uint32_t index, const AnyBox& box)
-{
-  if (box.empty()) return;
-  const auto entry = static_cast<std::uint32_t>(added_boxes_.size());
-  added_boxes_.push_back({extentOf(box), index});
-  const Cell first = cellAt(added_boxes_.back().extent.low), last = cellAt(added_boxes_.back().extent.high);
-  const double cells = (last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0);
-  if (cells > kManyCells) return added_large_.push_back(entry);
-  if (added_.empty()) added_start_.assign(start_.size() - 1, kNoEntry);
-  for (int z = first[2]; z <= last[2]; ++z)
-    for (int y = first[1]; y <= last[1]; ++y)
-      for (int x = first[0]; x <= last[0]; ++x)
-      {
-        std::uint32_t& start = added_start_[cell(x, y, z)];
-        added_.push_back({entry, start});
-        start = static_cast<std::uint32_t>(added_.size() - 1);
-      }
-}
-
 template <class Action>
 void BroadPhase::eachFrom(std::size_t begin, std::size_t end, const Extent& extent, const Action& action) const
 {
@@ -256,7 +234,10 @@ void BroadPhase::eachInRows(const Cell& first, const Cell& last, const Extent& e
 template <class Action>
 void BroadPhase::eachInCells(const Extent& extent, const Action& action) const
 {
-  eachInRows(firstBefore(extent.low), cellAt(extent.high), extent, action);
+  const Cell first = firstBefore(extent.low), last = cellAt(extent.high);
+  for (int z = first[2]; z <= last[2]; ++z)
+    for (int y = first[1]; y <= last[1]; ++y) __builtin_prefetch(&entries_[start_[cell(first[0], y, z)]]);
+  eachInRows(first, last, extent, action);
 }
 
 template <class Action>
@@ -281,34 +262,33 @@ void BroadPhase::eachPair(std::size_t begin, std::size_t end, const Action& acti
   }
 }
 
+template <class Action>
+void BroadPhase::eachListed(const Extent& extent, const Action& action) const
+{
+  const auto tell = [&](const Listed& box) { action(box.index & ~kAdded, (box.index & kAdded) != 0); };
+  for (const Listed& box : everywhere_)
+    if (box.extent.overlaps(extent)) tell(box);
+  if (links_.empty()) return;
+  const Cell first = cellAt(extent.low), last = cellAt(extent.high);
+  for (int z = first[2]; z <= last[2]; ++z)
+    for (int y = first[1]; y <= last[1]; ++y)
+      for (int x = first[0]; x <= last[0]; ++x)
+        for (std::uint32_t link = last_link_[cell(x, y, z)]; link != kNoLink; link = links_[link].next)
+        {
+          const Listed& box = links_[link];
+          if (!box.extent.overlaps(extent)) continue;
+          const Cell its = cellAt(box.extent.low);  // of all cells that both are in, the first one tells
+          if (x == std::max(first[0], its[0]) && y == std::max(first[1], its[1]) && z == std::max(first[2], its[2]))
+            tell(box);
+        }
+}
+
 template <class AnyBox, class Action>
 void BroadPhase::eachOverlapping(const AnyBox& box, const Action& action) const
 {
   if (box.empty()) return;
   const Extent extent = extentOf(box);
-  eachInCells(extent, action);
-  eachFrom(in_cells_, boxes_, extent, action);
-}
-
-template <class AnyBox, class Action>
-void BroadPhase::eachAdded(const AnyBox& box, const Action& action) const
-{
-  if (added_boxes_.empty() || box.empty()) return;
-  const Extent extent = extentOf(box);
-  for (const std::uint32_t entry : added_large_)
-    if (added_boxes_[entry].extent.overlaps(extent)) action(added_boxes_[entry].index);
-  if (added_.empty()) return;
-  const Cell first = cellAt(extent.low), last = cellAt(extent.high);
-  for (int z = first[2]; z <= last[2]; ++z)
-    for (int y = first[1]; y <= last[1]; ++y)
-      for (int x = first[0]; x <= last[0]; ++x)
-        for (std::uint32_t e = added_start_[cell(x, y, z)]; e != kNoEntry; e = added_[e].next)
-        {
-          const AddedBox& added = added_boxes_[added_[e].box];
-          if (!added.extent.overlaps(extent)) continue;
-          const Cell its = cellAt(added.extent.low);  // of all cells that both are in, the first one tells
-          if (x == std::max(first[0], its[0]) && y == std::max(first[1], its[1]) && z == std::max(first[2], its[2]))
-            action(added.index);
-        }
+  eachInCells(extent, [&](std::uint32_t index) { action(index, false); });
+  eachListed(extent, action);
 }
 }  // namespace ping_pong

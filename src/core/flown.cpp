@@ -124,7 +124,7 @@ double firstMeeting(const WorldState& world, std::size_t i, std::size_t k, doubl
   const Glance &a = glances[i], &b = glances[k];
   const GlanceKind &kind_a = glances.kindOf(a), &kind_b = glances.kindOf(b);
   const bool fly = kind_a.how == GlanceKind::How::Flies && kind_b.how == GlanceKind::How::Flies;
-  if (!fly || kind_a.half_a != kind_b.half_a) return firstMeeting(world.balls[i], world.balls[k], until);
+  if (!fly || (a.kind != b.kind && kind_a.half_a != kind_b.half_a)) return firstMeeting(world.balls[i], world.balls[k], until);
   count(Law::PairSearch);
   return firstContact(viewOf(a, kind_a), viewOf(b, kind_b), kind_a.radius + kind_b.radius, std::max(a.start, b.start), until).time;
 }

@@ -7,7 +7,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::uint16_t kAskRecord = 0, kAway = 1;
+constexpr std::uint8_t kAskRecord = 0, kAway = 1;
 
 GlanceKind::How howOf(const BallRecord& ball)
 {
@@ -23,19 +23,19 @@ void Glances::reserve(std::size_t balls)
   kinds_.reserve(kMostKinds);
 }
 
-bool Glances::is(std::uint16_t kind, const BallRecord& ball) const
+bool Glances::is(std::uint8_t kind, const BallRecord& ball) const
 {
   const GlanceKind& it = kinds_[kind];
   return it.how == howOf(ball) && it.radius == ball.params().radius &&
          (it.how == GlanceKind::How::Lies || it.half_a == ball.path.c[2]);
 }
 
-std::uint16_t Glances::kindFor(const BallRecord& ball, std::uint16_t guess) const
+std::uint8_t Glances::kindFor(const BallRecord& ball, std::uint8_t guess) const
 {
   if (ball.away()) return kAway;
   if (is(guess, ball)) return guess;
   for (std::size_t kind = kAway + 1; kind < kinds_.size(); ++kind)
-    if (is(static_cast<std::uint16_t>(kind), ball)) return static_cast<std::uint16_t>(kind);
+    if (is(static_cast<std::uint8_t>(kind), ball)) return static_cast<std::uint8_t>(kind);
   return kAskRecord;
 }
 
@@ -43,6 +43,7 @@ void Glances::lookAt(const BallRecord& ball, std::size_t i, bool bent)
 {
   Glance& glance = list_[i];
   glance.next = floatBefore(std::min(ball.next.time, ball.meetsMoving()));
+  glance.version = static_cast<std::uint16_t>(ball.version);
   glance.kind = kindFor(ball, glance.kind);
   glance.bent = bent;
   glance.start = ball.path.start;
@@ -65,7 +66,7 @@ void Glances::lookAtAll(const std::vector<BallRecord>& balls)
     const bool rolls = how == GlanceKind::How::Flies && !ball.supports.none();
     if (!new_kind || rolls || kinds_.size() == kMostKinds) continue;
     kinds_.push_back({how, ball.params().radius, how == GlanceKind::How::Flies ? ball.path.c[2] : Vector3d(Vector3d::Zero())});
-    list_[i].kind = static_cast<std::uint16_t>(kinds_.size() - 1);
+    list_[i].kind = static_cast<std::uint8_t>(kinds_.size() - 1);
   }
   known_ = true;
 }

@@ -21,14 +21,17 @@ inline float floatBefore(double t)
   return near - kRounding * std::abs(near);
 }
 
-struct Glance
+struct alignas(64) Glance
 {
   float next = 0.0f;       ///< no event with a body is earlier [s]
-  std::uint16_t kind = 0;  ///< entry in Glances::kinds
-  bool bent = false;       ///< the ball has left a path in this window,
-  bool added = false;      ///< or in one before since the grid was built, or may have
+  std::uint16_t version = 0;  ///< of the path: its last bits
+  std::uint8_t kind = 0;   ///< entry in Glances::kinds
+  bool bent : 1;           ///< the ball has left a path in this window,
+  bool added : 1;          ///< or in one before since the grid was built, or may have
   double start = 0.0;      ///< of the path [s]
   Vector3d p, v;           ///< there, in W [m, m/s]
+
+  Glance() : bent(false), added(false) {}
 };
 static_assert(sizeof(Glance) == 64, "a line of the cache");
 
@@ -58,6 +61,8 @@ public:
   /// To be called when ball i will not change any more, for now.
   void lookAt(const BallRecord& ball, std::size_t i, bool bent);
 
+  /// It will be looked at soon: until then it comes through memory.
+  void fetch(std::size_t i) const { __builtin_prefetch(&list_[i]); }
   const Glance& operator[](std::size_t i) const { return list_[i]; }
   Glance& operator[](std::size_t i) { return list_[i]; }
   const GlanceKind& kindOf(const Glance& glance) const { return kinds_[glance.kind]; }
@@ -65,8 +70,8 @@ public:
 private:
   static constexpr std::size_t kMostKinds = 16;
 
-  bool is(std::uint16_t kind, const BallRecord& ball) const;
-  std::uint16_t kindFor(const BallRecord& ball, std::uint16_t guess) const;
+  bool is(std::uint8_t kind, const BallRecord& ball) const;
+  std::uint8_t kindFor(const BallRecord& ball, std::uint8_t guess) const;
 
   bool known_ = false;
   std::vector<GlanceKind> kinds_;

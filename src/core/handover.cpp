@@ -53,7 +53,7 @@ void spread(WorldState& world, double start, double end)
   for (std::size_t first = 0; first < islands.near.size(); ++first)
   {
     islands.found.clear();
-    islands.broad_phase.eachOverlapping(islands.near_boxes[first], [&](std::uint32_t k) { islands.found.push_back(k); });
+    islands.broad_phase.eachOverlapping(islands.near_boxes[first], [&](std::uint32_t k, bool) { islands.found.push_back(k); });
     std::sort(islands.found.begin(), islands.found.end());
     for (const std::uint32_t k : islands.found)
     {
@@ -131,7 +131,7 @@ void joinPile(WorldState& world, double start, double end)
   islands.near.clear();
   for (const std::uint32_t piled : world.pile.ball)
   {
-    islands.broad_phase.eachOverlapping(boxAround(world.balls[piled], start, end), [&](std::uint32_t other) {
+    islands.broad_phase.eachOverlapping(boxAround(world.balls[piled], start, end), [&](std::uint32_t other, bool) {
       if (!world.balls[other].away()) islands.near.push_back(other);
     });
   }

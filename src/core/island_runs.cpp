@@ -40,9 +40,11 @@ void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::
 void backToStart(WorldState& world, IslandWork& work, std::size_t i)
 {
   IslandRecords& islands = world.islands;
-  save(world, work, i);
   BallRecord& ball = world.balls[i];
-  ball = islands.saved(islands.saved_at[i]);
+  if (islands.saved_at[i] == IslandRecords::kNoEntry)
+    save(world, work, i);
+  else
+    ball = islands.saved(islands.saved_at[i]);
   forgetFlown(islands, i);
   ball.passing.make().run = islands.runs;
 }
@@ -97,11 +99,17 @@ void save(WorldState& world, IslandWork& work, std::size_t i)
   work.swept.emplace_back();
 }
 
-void uniteWhoMet(IslandRecords& islands)
+void uniteWhoMet(WorldState& world)
 {
+  IslandRecords& islands = world.islands;
   islands.islands.clear();
   for (const IslandWork& work : islands.work)
-    for (const auto& [i, k] : work.met) unite(islands, i, k);
+    for (const auto& [i, k] : work.met)
+    {
+      world.fetch(i);
+      world.fetch(k);
+      unite(islands, i, k);
+    }
   for (IslandWork& work : islands.work)
   {
     for (const auto& pair : work.met) islands.islands.push_back(rootOf(islands, pair[0]));
@@ -118,6 +126,6 @@ void runIslandsOnce(WorldState& world, const Window& window)
   eachOf(islands.islands, world, window, runIsland);
   addWhoWasThrown(world);
   eachOf(islands.islands, world, window, findWhoWasMet);
-  uniteWhoMet(islands);
+  uniteWhoMet(world);
 }
 }  // namespace ping_pong

@@ -9,7 +9,7 @@ namespace ping_pong
 void save(WorldState& world, IslandWork& work, std::size_t i);
 
 /// Those who met are of one island now; its root stands in the list of islands that have to run.
-void uniteWhoMet(IslandRecords& islands);
+void uniteWhoMet(WorldState& world);
 
 /// Runs all islands of the list, and lists those that have to run again, joined with others.
 void runIslandsOnce(WorldState& world, const Window& window);

@@ -13,7 +13,7 @@ namespace ping_pong
 namespace
 {
 constexpr double kTooManySearches = 4.0;  // of pairs, by ball: a window that needs more is given up
-constexpr double kTicksAhead = 3.0;  // that are worth an outlook
+constexpr double kTicksAhead = 1.5;  // that are worth an outlook
 constexpr double kShare = 0.8;       // of the windows that would fit into a tick: rather a bit longer than one more
 
 // A look at two boxes that overlap costs an eighth of a search.
@@ -149,7 +149,7 @@ Outcome runWindow(WorldState& world, const Window& window)
     flyOn(world, window);
   else
     flyAnew(world, window);
-  for (uniteWhoMet(islands); !islands.islands.empty(); runIslandsOnce(world, window))
+  for (uniteWhoMet(world); !islands.islands.empty(); runIslandsOnce(world, window))
   {
     if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
     if (!worthAShorterWindow(world, window)) continue;

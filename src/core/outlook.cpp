@@ -10,12 +10,12 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kMostChanges = 0.25;  // by ball: then it is time for a new grid
+constexpr double kMostChanges = 0.35;  // by ball: then it is time for a new grid
 
 bool unchanged(const WorldState& world, const Meeting& meeting)
 {
-  return world.balls[meeting.first].version == meeting.first_version &&
-         world.balls[meeting.second].version == meeting.second_version;
+  const Glances& glances = world.islands.glances;
+  return glances[meeting.first].version == meeting.first_version && glances[meeting.second].version == meeting.second_version;
 }
 
 void push(Outlook& outlook, const Meeting& meeting)
@@ -35,12 +35,13 @@ void gather(IslandRecords& islands)
 
 void note(const WorldState& world, IslandWork& work, std::uint32_t i, std::uint32_t k, double t)
 {
-  work.meetings.push_back({floatBefore(t), i, k, world.balls[i].version, world.balls[k].version});
+  const Glances& glances = world.islands.glances;
+  work.meetings.push_back({floatBefore(t), i, k, glances[i].version, glances[k].version});
 }
 
 void lookForNext(const WorldState& world, const Window& window, std::uint32_t i)
 {
-  world.islands.eachNear(i, boxAhead(world.balls[i], window.end, window.outlook),
+  world.islands.eachNear(i, boxAhead(world.balls[i], window.end, window.outlook), window.work->near,
                          [&](std::uint32_t k)
                          {
                            ++window.work->near_pairs;
@@ -80,7 +81,7 @@ void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, 
 void lookAround(WorldState& world, const Window& window, std::uint32_t i)
 {
   IslandRecords& islands = world.islands;
-  islands.eachNear(i, islands.sweptBy(i),
+  islands.eachNear(i, islands.sweptBy(i), window.work->near,
                    [&](std::uint32_t k)
                    {
                      if (islands.root[k] != islands.root[i]) return lookAtPair(world, window, i, k);

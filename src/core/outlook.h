@@ -15,12 +15,12 @@ struct WorldState;
 struct Window;
 struct IslandWork;
 
-/// Two balls meet at this time if neither changes its path before.
+/// Two balls meet at this time if neither changes its path before. Whoever takes it looks again.
 struct Meeting
 {
   float time;                                  ///< no later than that [s]
   std::uint32_t first, second;                 ///< indices of balls
-  std::uint32_t first_version, second_version; ///< of their paths
+  std::uint16_t first_version, second_version; ///< of their paths: the last bits
 
   bool operator<(const Meeting& other) const { return time > other.time; }  // the earliest is on top of a heap
 };

@@ -41,6 +41,9 @@ struct ParabolaView
   explicit ParabolaView(const Segment& path) : start(path.start), p(path.c[0]), v(path.c[1]), half_a(path.c[2]) {}
 };
 
+/// More than the discriminant below is wrong by, as a part of |u|^2 |d|^2.
+constexpr double kRoundingOfSquares = 1e-13;
+
 /// First contact in [from, until] of balls whose radii add up to `reach`; both have the same half_a.
 inline Detection firstContact(const ParabolaView& a, const ParabolaView& b, double reach, double from, double until)
 {
@@ -52,10 +55,12 @@ inline Detection firstContact(const ParabolaView& a, const ParabolaView& b, doub
   const Vector3d u = a.v - b.v + (2.0 * (s1 - s2)) * a.half_a;
   const double closing = d.dot(u);  // half the derivative of |d|^2
   if (closing >= -kNoClosingSpeed * reach) return {};
-  const double distance = d.norm();
+  const double dd = d.squaredNorm(), uu = u.squaredNorm();
+  if (closing * closing < uu * (dd * (1.0 - kRoundingOfSquares) - reach * reach)) return {};  // most pass by
+  const double distance = std::sqrt(dd);
   const double c = (distance - reach) * (distance + reach);
   if (distance - reach <= touchTolerance(p1, reach)) return {from, false};
-  const double discriminant = closing * closing - u.squaredNorm() * c;
+  const double discriminant = closing * closing - uu * c;
   if (discriminant < 0.0) return {};
   const double t = from + c / (std::sqrt(discriminant) - closing);
   if (t > until) return {};

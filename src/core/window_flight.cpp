@@ -57,6 +57,31 @@ void eachBall(WorldState& world, const Window& window, const Action& action)
                      });
 }
 
+// Pairs that wait to be looked at while what is known of them comes through memory.
+class Pairs
+{
+public:
+  Pairs(WorldState& world, const Window& window) : world_(world), window_(window) {}
+  void add(std::uint32_t a, std::uint32_t b)
+  {
+    world_.islands.glances.fetch(a);
+    world_.islands.glances.fetch(b);
+    waiting_[count_++] = {a, b};
+    if (count_ == waiting_.size()) lookAtAll();
+  }
+  void lookAtAll()
+  {
+    for (std::size_t p = 0; p < count_; ++p) lookAtPair(world_, window_, waiting_[p][0], waiting_[p][1]);
+    count_ = 0;
+  }
+
+private:
+  WorldState& world_;
+  const Window window_;
+  std::array<std::array<std::uint32_t, 2>, 16> waiting_;
+  std::size_t count_ = 0;
+};
+
 void gatherDue(IslandRecords& islands)
 {
   islands.due.clear();
@@ -68,13 +93,17 @@ void gatherDue(IslandRecords& islands)
 }
 
 // Those whose event may be until then, each once.
-void takeDue(IslandRecords& islands, double end, std::vector<std::uint32_t>& list)
+void takeDue(WorldState& world, double end, std::vector<std::uint32_t>& list)
 {
+  IslandRecords& islands = world.islands;
   list.clear();
   std::size_t kept = 0;
   for (const std::uint32_t i : islands.due)
     if (static_cast<double>(islands.glances[i].next) <= end)
+    {
+      world.fetch(i);
       list.push_back(i);
+    }
     else
       islands.due[kept++] = i;
   islands.due.resize(kept);
@@ -119,8 +148,9 @@ void flyAnew(WorldState& world, const Window& window)
   world.workers.each(grid.boxes(), kBalls,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
-                       const Window its = ofWorker(world, window, worker);
-                       grid.eachPair(begin, end, [&](std::uint32_t a, std::uint32_t b) { lookAtPair(world, its, a, b); });
+                       Pairs pairs(world, ofWorker(world, window, worker));
+                       grid.eachPair(begin, end, [&](std::uint32_t a, std::uint32_t b) { pairs.add(a, b); });
+                       pairs.lookAtAll();
                      });
 }
 
@@ -128,7 +158,7 @@ void flyOn(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
   std::vector<std::uint32_t>& list = islands.near;
-  takeDue(islands, window.end, list);
+  takeDue(world, window.end, list);
   eachOf(list, world, window,
          [](WorldState& its_world, Window its, std::uint32_t i)
          {

@@ -15,7 +15,7 @@ constexpr double kNearWork = 0.4;  // two balls whose boxes overlap
 constexpr double kSearchWork = 1.0;
 constexpr double kEventWork = 7.0;
 
-constexpr double kStep = 1.25;        // between lengths that are compared
+constexpr double kStep = 1.12;        // between lengths that are compared
 constexpr double kCut = 0.5;          // as much shorter than it should have been tells nothing of a length
 constexpr double kNobodyNear = 64.0;  // times longer, if no two boxes overlapped
 

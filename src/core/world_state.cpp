@@ -74,6 +74,7 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     takeMemory(its.changed, balls);
     takeMemory(its.swept, balls);
     takeMemory(its.due, balls);
+    takeMemory(its.near, 4096);
     takeMemory(its.members, balls);
     takeMemory(its.crowded, balls);
     takeMemory(its.met, meetings);

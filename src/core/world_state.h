@@ -167,6 +167,7 @@ struct IslandWork : Records
   std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see handover.h
   std::vector<Meeting> meetings;      ///< after this window
   std::vector<std::uint32_t> due;     ///< see IslandRecords
+  std::vector<std::uint32_t> near;    ///< balls near another one
 };
 
 /// What the exact method keeps from window to window, see islands.h. Lists by ball are written for those that
@@ -232,18 +233,21 @@ struct IslandRecords
 
   /// Calls action(k) for every other ball k whose box overlaps this one of ball i; for some twice.
   template <class AnyBox, class Action>
-  void eachNear(std::uint32_t i, const AnyBox& box, const Action& action) const
+  void eachNear(std::uint32_t i, const AnyBox& box, std::vector<std::uint32_t>& list, const Action& action) const
   {
+    constexpr std::uint32_t kAdded = 1u << 31;
+    list.clear();
     broad_phase.eachOverlapping(box,
-                                [&](std::uint32_t k)
+                                [&](std::uint32_t k, bool added)
                                 {
-                                  if (k != i && !glances[k].added) action(k);
+                                  glances.fetch(k);
+                                  list.push_back(added ? k | kAdded : k);
                                 });
-    broad_phase.eachAdded(box,
-                          [&](std::uint32_t k)
-                          {
-                            if (k != i) action(k);
-                          });
+    for (const std::uint32_t entry : list)
+    {
+      const std::uint32_t k = entry & ~kAdded;
+      if (k != i && (entry != k || !glances[k].added)) action(k);
+    }
   }
 };
 
@@ -263,6 +267,12 @@ struct WorldState : Records
   Pile pile;
   Workers workers;                        ///< as many as the scene names threads, once there are balls to share
 
+  /// Its record will be asked for soon: until then it comes through memory.
+  void fetch(std::size_t i) const
+  {
+    const char* record = reinterpret_cast<const char*>(&balls[i]);
+    for (std::size_t byte = 0; byte < sizeof(BallRecord); byte += 64) __builtin_prefetch(record + byte);
+  }
   const Surface& surface(const BallRecord& ball, const Shape& shape) const
   {
     return scene.surfaces.at(ball.params().material, shape.material);
