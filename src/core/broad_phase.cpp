@@ -9,7 +9,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kCellsPerBox = 1.0;  // cells of the grid for each box, at most
+constexpr double kCellsPerBox = 0.5;  // cells of the grid for each box, at most
 constexpr double kFinest = 0.5;       // edge of a cell, by the longest box in it
 constexpr double kManyCells = 64.0;   // a box over more cells than this is in no list of a cell
 constexpr double kSpread = 3.0;     // the grid covers so many standard deviations; boxes outside are in its outer cells
@@ -24,7 +24,7 @@ double deviation(double sum, double sum_of_squares, double n)
 
 void BroadPhase::reserve(std::size_t boxes)
 {
-  takeMemory(start_, static_cast<std::size_t>(kCellsPerBox) * boxes + 64);
+  takeMemory(start_, static_cast<std::size_t>(kCellsPerBox * static_cast<double>(boxes)) + 64);
   takeMemory(index_, boxes);
   takeMemory(entries_, boxes);
   takeMemory(last_link_, start_.capacity());

@@ -23,7 +23,7 @@ constexpr std::uint16_t kMostPieces = 32;  // of a ball in a window; from then o
 template <class Look>
 bool anyPieceLeft(const WorldState& world, std::size_t i, const Look& look)
 {
-  for (std::uint32_t entry = world.islands.last_piece[i]; entry != IslandRecords::kNoEntry;)
+  for (std::uint32_t entry = world.islands.lastPiece(i); entry != IslandRecords::kNoEntry;)
   {
     const Piece& piece = world.islands.piece(entry);
     if (look(View{ParabolaView(piece.path), piece.until, piece.parabola})) return true;
@@ -85,8 +85,8 @@ void noteFlown(WorldState& world, const Window& window, std::size_t i, double t)
   IslandRecords& islands = world.islands;
   IslandWork& work = *window.work;
   const BallRecord& ball = world.balls[i];
-  islands.sweptBy(i).add(CoarseBox(boxOf(ball, window.start, t)));
-  const std::uint32_t last = islands.last_piece[i];
+  islands.busy(i).swept.add(CoarseBox(boxOf(ball, window.start, t)));
+  const std::uint32_t last = islands.busy(i).piece;
   std::uint16_t count = 1;
   if (last != IslandRecords::kNoEntry)
   {
@@ -94,27 +94,28 @@ void noteFlown(WorldState& world, const Window& window, std::size_t i, double t)
     if (asLittleIsKnown(before, ball.path) || before.count == kMostPieces) return forgetPath(before, t);
     count = static_cast<std::uint16_t>(before.count + 1);
   }
-  islands.last_piece[i] = IslandRecords::entry(work, work.pieces.size());
+  islands.busy(i).piece = IslandRecords::entry(work, work.pieces.size());
   work.pieces.push_back({asParabola(ball.path), t, last, count, isParabola(ball.path)});
 }
 
 void noteSomewhere(WorldState& world, const Window& window, std::size_t i, const Box& box, double t)
 {
-  world.islands.sweptBy(i).add(CoarseBox(box));
-  forgetPath(window.work->pieces[IslandRecords::indexOf(world.islands.last_piece[i])], t);
+  world.islands.busy(i).swept.add(CoarseBox(box));
+  forgetPath(window.work->pieces[IslandRecords::indexOf(world.islands.busy(i).piece)], t);
 }
 
 void forgetFlown(IslandRecords& islands, std::size_t i)
 {
-  islands.sweptBy(i) = CoarseBox();
-  islands.last_piece[i] = IslandRecords::kNoEntry;
+  IslandWork::Busy& busy = islands.busy(i);
+  busy.swept = CoarseBox();
+  busy.piece = IslandRecords::kNoEntry;
 }
 
 void noteLast(WorldState& world, const Window& window, std::size_t i)
 {
   IslandRecords& islands = world.islands;
-  const bool bent = islands.last_piece[i] != IslandRecords::kNoEntry;
-  islands.sweptBy(i).add(CoarseBox(boxAhead(world.balls[i], window.start, window.outlook)));
+  const bool bent = islands.busy(i).piece != IslandRecords::kNoEntry;
+  islands.busy(i).swept.add(CoarseBox(boxAhead(world.balls[i], window.start, window.outlook)));
   islands.glances.lookAt(world.balls[i], i, bent);
 }
 

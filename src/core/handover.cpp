@@ -91,9 +91,9 @@ void letGoWhoIsFree(WorldState& world, double t, double smooth_until)
 
 bool countCrowding(BallRecord& ball, double t)
 {
-  if (t - ball.crowded_since > kCrowdTime)
+  if (t - static_cast<double>(ball.crowded_since) > kCrowdTime)
   {
-    ball.crowded_since = t;
+    ball.crowded_since = static_cast<float>(t);
     ball.crowding = 0;
   }
   if (ball.crowding <= kCrowded) ++ball.crowding;

@@ -12,16 +12,20 @@ namespace
 {
 std::uint32_t rootOf(IslandRecords& islands, std::uint32_t i)
 {
-  while (islands.root[i] != i) i = islands.root[i] = islands.root[islands.root[i]];
-  return i;
+  for (;;)
+  {
+    std::uint32_t& root = islands.busy(i).root;
+    if (root == i) return i;
+    i = root = islands.busy(root).root;
+  }
 }
 
 void unite(IslandRecords& islands, std::uint32_t i, std::uint32_t k)
 {
   const std::uint32_t a = rootOf(islands, i), b = rootOf(islands, k);
   if (a == b) return;
-  islands.root[std::max(a, b)] = std::min(a, b);
-  std::swap(islands.next[a], islands.next[b]);
+  islands.busy(std::max(a, b)).root = std::min(a, b);
+  std::swap(islands.busy(a).next, islands.busy(b).next);
 }
 
 void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::size_t>& members)
@@ -31,8 +35,8 @@ void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::
   do
   {
     members.push_back(i);
-    islands.root[i] = root;
-    i = islands.next[i];
+    islands.busy(i).root = root;
+    i = islands.busy(i).next;
   } while (i != root);
   std::sort(members.begin(), members.end());  // ties go to the first ball, whoever came in first
 }
@@ -41,10 +45,11 @@ void backToStart(WorldState& world, IslandWork& work, std::size_t i)
 {
   IslandRecords& islands = world.islands;
   BallRecord& ball = world.balls[i];
-  if (islands.saved_at[i] == IslandRecords::kNoEntry)
+  const std::uint32_t saved = islands.busy(i).saved;
+  if (saved == IslandRecords::kNoEntry)
     save(world, work, i);
   else
-    ball = islands.saved(islands.saved_at[i]);
+    ball = islands.saved(saved);
   forgetFlown(islands, i);
   ball.passing.make().run = islands.runs;
 }
@@ -70,7 +75,7 @@ void runIsland(WorldState& world, Window window, std::uint32_t root)
 void findWhoWasMet(WorldState& world, const Window& window, std::uint32_t root)
 {
   const IslandRecords& islands = world.islands;
-  for (std::uint32_t i = islands.next[root];; i = islands.next[i])
+  for (std::uint32_t i = islands.busy(root).next;; i = islands.busy(i).next)
   {
     if (world.balls[i].met) lookAround(world, window, i);
     if (i == root) return;
@@ -81,7 +86,7 @@ void addWhoWasThrown(WorldState& world)
 {
   IslandRecords& islands = world.islands;
   for (const std::uint32_t root : islands.islands)
-    for (std::uint32_t i = islands.next[root];; i = islands.next[i])
+    for (std::uint32_t i = islands.busy(root).next;; i = islands.busy(i).next)
     {
       if (world.balls[i].met) islands.addToGrid(i);
       if (i == root) break;
@@ -91,23 +96,23 @@ void addWhoWasThrown(WorldState& world)
 
 void save(WorldState& world, IslandWork& work, std::size_t i)
 {
-  std::uint32_t& saved = world.islands.saved_at[i];
+  std::uint32_t& saved = world.islands.makeBusy(work, i).saved;
   if (saved != IslandRecords::kNoEntry) return;
   saved = IslandRecords::entry(work, work.saved.size());
   work.saved.push_back(world.balls[i]);
-  work.changed.push_back(static_cast<std::uint32_t>(i));
-  work.swept.emplace_back();
 }
 
 void uniteWhoMet(WorldState& world)
 {
   IslandRecords& islands = world.islands;
   islands.islands.clear();
-  for (const IslandWork& work : islands.work)
+  for (IslandWork& work : islands.work)
     for (const auto& [i, k] : work.met)
     {
       world.fetch(i);
       world.fetch(k);
+      islands.makeBusy(work, i);
+      islands.makeBusy(work, k);
       unite(islands, i, k);
     }
   for (IslandWork& work : islands.work)

@@ -34,21 +34,12 @@ void alone(BallRecord& ball)
   ball.passing->ball = Event();
 }
 
-void alone(IslandRecords& islands, std::uint32_t i)
-{
-  islands.root[i] = islands.next[i] = i;
-  islands.saved_at[i] = islands.last_piece[i] = IslandRecords::kNoEntry;
-}
-
 // Whatever has been done to the balls.
 void startAnew(WorldState& world)
 {
   IslandRecords& islands = world.islands;
-  const std::size_t n = world.balls.size();
   islands.glances.lookAtAll(world.balls);
-  for (std::vector<std::uint32_t>* list : {&islands.saved_at, &islands.root, &islands.next, &islands.last_piece})
-    list->resize(n);
-  for (std::uint32_t i = 0; i < n; ++i) alone(islands, i);
+  islands.busy_at.assign(world.balls.size(), IslandRecords::kNoEntry);
   for (BallRecord& ball : world.balls) alone(ball);
 }
 
@@ -57,9 +48,10 @@ void forgetIslands(WorldState& world, bool ahead)
 {
   IslandRecords& islands = world.islands;
   for (const IslandWork& work : islands.work)
-    for (const std::uint32_t i : work.changed)
+    for (const IslandWork::Busy& busy : work.busy)
     {
-      alone(islands, i);
+      const std::uint32_t i = busy.ball;
+      islands.busy_at[i] = IslandRecords::kNoEntry;
       alone(world.balls[i]);
       islands.glances[i].bent = false;
       if (ahead && isDue(islands, i)) islands.due.push_back(i);
@@ -81,8 +73,7 @@ void begin(WorldState& world)
     work.pair_searches = work.near_pairs = 0;
     work.crowding = work.any_squeezed = false;
     work.saved.clear();
-    work.changed.clear();
-    work.swept.clear();
+    work.busy.clear();
     work.pieces.clear();
     work.met.clear();
     work.crowded.clear();
@@ -101,7 +92,7 @@ bool worthAShorterWindow(const WorldState& world, const Window& window)
   for (const std::uint32_t root : islands.islands)
   {
     double m = 1.0;
-    for (std::uint32_t i = islands.next[root]; i != root; i = islands.next[i]) m += 1.0;
+    for (std::uint32_t i = islands.busy(root).next; i != root; i = islands.busy(i).next) m += 1.0;
     searches += m * m;
   }
   return searches > limit;
@@ -114,8 +105,9 @@ void undo(WorldState& world)
   lendContacts(world);  // and back
   world.origins.resize(islands.first_contact);
   if (world.keep_contacts) world.contacts.resize(islands.first_contact);
-  for (std::size_t i = 0; i < world.balls.size(); ++i)
-    if (islands.saved_at[i] != IslandRecords::kNoEntry) world.balls[i] = islands.saved(islands.saved_at[i]);
+  for (const IslandWork& work : islands.work)
+    for (const IslandWork::Busy& busy : work.busy)
+      if (busy.saved != IslandRecords::kNoEntry) world.balls[busy.ball] = islands.saved(busy.saved);
   islands.glances.forget();
 }
 

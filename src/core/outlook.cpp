@@ -10,7 +10,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kMostChanges = 0.35;  // by ball: then it is time for a new grid
+constexpr double kMostChanges = 0.25;  // by ball: then it is time for a new grid
 
 bool unchanged(const WorldState& world, const Meeting& meeting)
 {
@@ -81,10 +81,11 @@ void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, 
 void lookAround(WorldState& world, const Window& window, std::uint32_t i)
 {
   IslandRecords& islands = world.islands;
-  islands.eachNear(i, islands.sweptBy(i), window.work->near,
+  const IslandWork::Busy& mine = islands.busy(i);
+  islands.eachNear(i, mine.swept, window.work->near,
                    [&](std::uint32_t k)
                    {
-                     if (islands.root[k] != islands.root[i]) return lookAtPair(world, window, i, k);
+                     if (!islands.isBusy(k) || islands.busy(k).root != mine.root) return lookAtPair(world, window, i, k);
                      if (k < i && world.balls[k].met) return;  // it looks for this one
                      ++window.work->near_pairs;
                      const double t = firstMeeting(world, i, k, window.outlook);
@@ -118,8 +119,8 @@ void lookAhead(WorldState& world, const Window& window)
   std::vector<std::uint32_t>& unhit = islands.near;
   unhit.clear();
   for (const IslandWork& work : islands.work)
-    for (const std::uint32_t i : work.changed)
-      if (!islands.glances[i].bent && !world.balls[i].away()) unhit.push_back(i);
+    for (const IslandWork::Busy& busy : work.busy)
+      if (!islands.glances[busy.ball].bent && !world.balls[busy.ball].away()) unhit.push_back(busy.ball);
   eachOf(unhit, world, window, lookForNext);
   gather(islands);
   if (static_cast<double>(islands.outlook.added.size()) > kMostChanges * static_cast<double>(world.balls.size()))

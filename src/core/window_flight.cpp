@@ -135,7 +135,7 @@ void flyAnew(WorldState& world, const Window& window)
              if (hasEvents(world, i, window.end))
              {
                runAlone(world, its, i);
-               grid.put(i, islands.sweptBy(i));
+               grid.put(i, islands.busy(i).swept);
              }
              else
              {
@@ -167,7 +167,7 @@ void flyOn(WorldState& world, const Window& window)
   std::size_t bent = 0;
   for (const std::uint32_t i : list)
   {
-    if (islands.saved_at[i] == IslandRecords::kNoEntry) islands.due.push_back(i);  // later: its time was rounded
+    if (!islands.isBusy(i)) islands.due.push_back(i);  // later: its time was rounded
     if (!islands.glances[i].bent) continue;
     islands.addToGrid(i);
     list[bent++] = i;

@@ -59,7 +59,7 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
 {
   broad_phase.reserve(balls);
   glances.reserve(balls);
-  for (std::vector<std::uint32_t>* list : {&saved_at, &root, &next, &last_piece}) takeMemory(*list, balls);
+  takeMemory(busy_at, balls);
   const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
   for (std::vector<std::uint32_t>* list : {&islands, &found, &near, &due, &outlook.added}) takeMemory(*list, meetings);
   takeMemory(near_boxes, balls);
@@ -71,8 +71,7 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     IslandWork& its = work[worker];
     its.worker = worker;
     its.saved.reserve(balls);
-    takeMemory(its.changed, balls);
-    takeMemory(its.swept, balls);
+    takeMemory(its.busy, balls);
     takeMemory(its.due, balls);
     takeMemory(its.near, 4096);
     takeMemory(its.members, balls);

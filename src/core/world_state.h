@@ -52,29 +52,30 @@ struct Passing
   std::uint32_t run = 0;  ///< of its island: what an earlier run has recorded has not happened; 0 between windows
 };
 
-/// Thousands of them are a long way through memory: what many have in common, and what few have, is elsewhere.
+/// Thousands of them are a long way through memory: what many have in common, and what few have, is elsewhere, and small
+/// members are where larger ones end before their last byte.
 struct BallRecord
 {
   const BallType* type;
-  Event next;                     ///< with still bodies; holds until the path changes
-  Pooled<Passing> passing;
-  Supports supports;
-  Segment path;
-  double last_contact = -1e300;   ///< [s]
-  double crowded_since = -1e300;  ///< [s]
-  BallId id;
-  std::uint32_t version = 0;      ///< of the path
-  std::uint16_t crush = 0;        ///< contacts in even quicker succession than a streak's
-  std::uint8_t streak = 0;        ///< contacts in quick succession, see streak.h
-  std::uint8_t crowding = 0;      ///< contacts with other balls since `crowded_since`, see handover.h
+  [[no_unique_address]] Event next;  ///< with still bodies; holds until the path changes
   bool squeezed : 1;
   bool piled : 1;          ///< handed over to the pile, see handover.h
   bool asleep : 1;         ///< in the pile, see pile.h
   bool overflows : 1;      ///< a step of fixed length from here has no finite end: the path goes straight on
   bool met : 1;            ///< has hit a ball in this window; false between windows
+  std::uint16_t crush = 0;        ///< contacts in even quicker succession than a streak's
+  std::uint8_t streak = 0;        ///< contacts in quick succession, see streak.h
+  std::uint8_t crowding = 0;      ///< contacts with other balls since `crowded_since`, see handover.h
+  Pooled<Passing> passing;
+  Supports supports;
+  [[no_unique_address]] Segment path;
+  BallId id;
+  double last_contact = -1e300;   ///< [s]
+  float crowded_since = -1e30f;   ///< [s]
+  std::uint32_t version = 0;      ///< of the path
 
   BallRecord(BallId its_id, const BallType& its_type)
-    : type(&its_type), id(its_id), squeezed(false), piled(false), asleep(false), overflows(false), met(false)
+    : type(&its_type), squeezed(false), piled(false), asleep(false), overflows(false), met(false), id(its_id)
   {
   }
   const BallParams& params() const { return type->first; }
@@ -93,7 +94,7 @@ struct BallRecord
     if (passing) passing->moving = passing->ball = Event();
   }
 };
-static_assert(sizeof(BallRecord) <= 240, "a crowd has thousands: see docs/crowd_cost.md");
+static_assert(sizeof(BallRecord) <= 224, "a crowd has thousands: see docs/crowd_cost.md");
 
 inline const Event& soonest(const BallRecord& ball)
 {
@@ -157,10 +158,18 @@ struct IslandWork : Records
     bool parabola;          ///< else the path is of another kind, and not known here
   };
 
+  /// A ball to which something happens in this window.
+  struct Busy
+  {
+    std::uint32_t ball;
+    std::uint32_t root, next;      ///< union-find over balls, and the circular list of an island's; the least index is the root
+    std::uint32_t saved, piece;    ///< entries in the lists of workers, or IslandRecords::kNoEntry; its last piece
+    CoarseBox swept;               ///< in this window and on the path that it is on, until the outlook ends
+  };
+
   std::uint32_t worker = 0;
+  std::vector<Busy> busy;
   std::vector<BallRecord> saved;      ///< balls at the start of the window, of those that have changed since
-  std::vector<std::uint32_t> changed;  ///< their indices
-  std::vector<CoarseBox> swept;       ///< by them in this window and on the path that they are on, until the outlook ends
   std::vector<Piece> pieces;          ///< flown in this window, see flown.h
   std::vector<std::size_t> members;   ///< the island at work
   std::vector<std::array<std::uint32_t, 2>> met;  ///< balls that are in each other's way
@@ -170,8 +179,8 @@ struct IslandWork : Records
   std::vector<std::uint32_t> near;    ///< balls near another one
 };
 
-/// What the exact method keeps from window to window, see islands.h. Lists by ball are written for those that
-/// change only, and are as at first between windows: no entries, each ball an island of its own.
+/// What the exact method keeps from window to window, see islands.h. Balls to which nothing
+/// happens are not written to; between windows nobody is busy.
 struct IslandRecords
 {
   static constexpr std::uint32_t kNoEntry = ~0u;
@@ -186,8 +195,20 @@ struct IslandRecords
   const IslandWork& workOf(std::uint32_t entry) const { return work[entry >> kIndexBits]; }
   static std::uint32_t indexOf(std::uint32_t entry) { return entry & ((1u << kIndexBits) - 1u); }
   const BallRecord& saved(std::uint32_t entry) const { return workOf(entry).saved[indexOf(entry)]; }
-  /// By ball i, that has changed in this window.
-  CoarseBox& sweptBy(std::size_t i) { return workOf(saved_at[i]).swept[indexOf(saved_at[i])]; }
+  bool isBusy(std::size_t i) const { return busy_at[i] != kNoEntry; }
+  /// Of a ball that is.
+  IslandWork::Busy& busy(std::size_t i) { return workOf(busy_at[i]).busy[indexOf(busy_at[i])]; }
+  const IslandWork::Busy& busy(std::size_t i) const { return workOf(busy_at[i]).busy[indexOf(busy_at[i])]; }
+  /// The same, from now on if it was not yet: an island of its own.
+  IslandWork::Busy& makeBusy(IslandWork& its_work, std::size_t i)
+  {
+    if (isBusy(i)) return busy(i);
+    busy_at[i] = entry(its_work, its_work.busy.size());
+    const auto ball = static_cast<std::uint32_t>(i);
+    its_work.busy.push_back({ball, ball, ball, kNoEntry, kNoEntry, CoarseBox()});
+    return its_work.busy.back();
+  }
+  std::uint32_t lastPiece(std::size_t i) const { return isBusy(i) ? busy(i).piece : kNoEntry; }
   const IslandWork::Piece& piece(std::uint32_t entry) const { return workOf(entry).pieces[indexOf(entry)]; }
 
   /// Of a contact in the order of a window's contacts.
@@ -209,14 +230,11 @@ struct IslandRecords
   Glances glances;                         ///< of each ball
   BroadPhase broad_phase;                  ///< of what each ball would sweep if no other were there
   std::vector<IslandWork> work;            ///< of each worker
-  std::vector<std::uint32_t> saved_at;     ///< entry in `saved` of a worker, by ball
-  std::vector<std::uint32_t> root;         ///< union-find over balls; the least index of an island is its root
-  std::vector<std::uint32_t> next;         ///< circular list of an island's balls
+  std::vector<std::uint32_t> busy_at;      ///< entry in `busy` of a worker, by ball
   std::vector<std::uint32_t> islands;      ///< roots of those that have to run
   std::vector<std::uint32_t> due;          ///< balls that may have an event with a body in the outlook, some twice
   std::vector<std::uint32_t> found, near;  ///< balls near a pile; a list for a moment
   std::vector<CoarseBox> near_boxes;       ///< of those near a pile
-  std::vector<std::uint32_t> last_piece;   ///< entry in `pieces` of a worker, by ball
   std::vector<Place> order;                ///< of the window's contacts
   std::vector<std::uint32_t> crowded;      ///< balls of an island with events without end, see handover.h
 
@@ -228,7 +246,7 @@ struct IslandRecords
   {
     glances[i].added = true;
     outlook.added.push_back(i);
-    broad_phase.add(i, sweptBy(i));
+    broad_phase.add(i, busy(i).swept);
   }
 
   /// Calls action(k) for every other ball k whose box overlaps this one of ball i; for some twice.
