@@ -112,7 +112,7 @@ void takeMeetings(WorldState& world, const Window& window)
   gather(islands);
 }
 
-// Whoever was in an island, but has not been hit, has lost the meetings that were the reason.
+// Whoever was in an island, but has not been hit, was thought to have met someone: what comes after that has not been looked for.
 void lookAhead(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
@@ -120,7 +120,10 @@ void lookAhead(WorldState& world, const Window& window)
   unhit.clear();
   for (const IslandWork& work : islands.work)
     for (const IslandWork::Busy& busy : work.busy)
-      if (!islands.glances[busy.ball].bent && !world.balls[busy.ball].away()) unhit.push_back(busy.ball);
+    {
+      const BallRecord& ball = world.balls[busy.ball];
+      if (ball.run() > 0 && !ball.met && !ball.away()) unhit.push_back(busy.ball);
+    }
   eachOf(unhit, world, window, lookForNext);
   gather(islands);
   if (static_cast<double>(islands.outlook.added.size()) > kMostChanges * static_cast<double>(world.balls.size()))
