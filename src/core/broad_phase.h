@@ -37,6 +37,7 @@ public:
   /// [begin, end) is of boxes(). Shares that cover boxes() once give each pair once.
   template <class Action>
   void eachPair(std::size_t begin, std::size_t end, const Action& action) const;
+
   /// Until the boxes are sorted again this one is there, too, under an index of the caller's.
   template <class AnyBox>
   void add(std::uint32_t index, const AnyBox& box)
@@ -236,7 +237,7 @@ void BroadPhase::eachInCells(const Extent& extent, const Action& action) const
 {
   const Cell first = firstBefore(extent.low), last = cellAt(extent.high);
   for (int z = first[2]; z <= last[2]; ++z)
-    for (int y = first[1]; y <= last[1]; ++y) __builtin_prefetch(&entries_[start_[cell(first[0], y, z)]]);
+    for (int y = first[1]; y <= last[1]; ++y) __builtin_prefetch(entries_.data() + start_[cell(first[0], y, z)]);
   eachInRows(first, last, extent, action);
 }
 
