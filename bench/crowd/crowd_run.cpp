@@ -97,7 +97,6 @@ public:
   Run(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort)
     : crowd_(crowd), effort_(effort), begin_(now()), shared_(sceneOf(point, crowd, balls)), scene_(*shared_), states_(balls)
   {
-    memory_ = std::make_unique<PeakMemory>();  // what loading took is not the engine's
     const double start = now();
     if (point.engine->name == "ping_pong_sim")
       engine_ = std::make_unique<OurCrowd>(shared_);
@@ -140,7 +139,7 @@ private:
     result_.done = crowd_.steady || done == ticks || (crowd_.enough > 0.0 && result_.simulated >= crowd_.enough - 0.5 * kTick);
     result_.cost = spent / result_.simulated;
     const Soundness end = look();
-    result_.bytes = memory_->bytes();
+    result_.bytes = memory_.bytes();
     result_.energy_change = end.energy / energy - 1.0;
     result_.escaped = static_cast<double>(end.escaped);
     if (!ours_) return;
@@ -152,11 +151,11 @@ private:
   // The memory that looking takes is not the engine's.
   Soundness look()
   {
-    memory_->pause();
+    memory_.pause();
     for (std::size_t i = 0; i < states_.size(); ++i) states_[i] = engine_->ballState(i);
     const Soundness found = soundnessOf(scene_, states_);
     result_.overlap = std::max(result_.overlap, found.overlap);
-    memory_->resume();
+    memory_.resume();
     return found;
   }
 
@@ -175,7 +174,7 @@ private:
   std::vector<BallState> states_;
   std::unique_ptr<Engine> engine_;
   OurCrowd* ours_ = nullptr;
-  std::unique_ptr<PeakMemory> memory_;
+  PeakMemory memory_;  // from here on: what loading took is not the engine's
   CrowdResult result_;
 };
 }  // namespace

@@ -56,16 +56,14 @@ void BroadPhase::layOut(const Sums& sums, std::size_t count)
     }
     if (cells <= kCellsPerBox * static_cast<double>(count) + 1.0 && longest_row < most_cells) break;
   }
+  longest_ = 0;
   for (std::size_t i = 0; i < 3; ++i)
   {
     units_per_metre_[i] = kUnits / size[i];
-    longest_[i] = static_cast<int>(std::ceil(std::min(longest[i] * units_per_metre_[i], 1e6))) + 1;
+    longest_ |= (static_cast<Corner>(std::ceil(std::min(longest[i] * units_per_metre_[i], 1e6))) + 1) << (kField * static_cast<int>(i));
     count_[i] = static_cast<int>(width[i] / size[i]) + 1;
     last_[i] = kUnits * count_[i] - 1;
   }
-  longest_edges_ = 0;
-  for (int i = 0; i < 3; ++i)
-    longest_edges_ |= static_cast<Corner>(std::min<Corner>(static_cast<Corner>(longest_[static_cast<std::size_t>(i)]), kFieldMask)) << (kField * i);
   entries_.resize(count);
   index_.resize(count);
 }
@@ -73,7 +71,7 @@ void BroadPhase::layOut(const Sums& sums, std::size_t count)
 bool BroadPhase::fits(const Extent& extent) const
 {
   const Corner edges = (extent.high & ~kBorrows) - extent.low;  // of each axis: none borrows
-  return (((longest_edges_ | kBorrows) - edges) & kBorrows) == kBorrows;
+  return (((longest_ | kBorrows) - edges) & kBorrows) == kBorrows;
 }
 
 void BroadPhase::addToLists(const Extent& extent, std::uint32_t index)
@@ -82,14 +80,13 @@ void BroadPhase::addToLists(const Extent& extent, std::uint32_t index)
   const double cells = (last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0);
   if (cells > kManyCells) return everywhere_.push_back({extent, index, kNoLink});
   if (links_.empty()) last_link_.assign(start_.size(), kNoLink);
-  for (int z = first[2]; z <= last[2]; ++z)
-    for (int y = first[1]; y <= last[1]; ++y)
-      for (int x = first[0]; x <= last[0]; ++x)
-      {
-        std::uint32_t& link = last_link_[cell(x, y, z)];
-        links_.push_back({extent, index, link});
-        link = static_cast<std::uint32_t>(links_.size() - 1);
-      }
+  eachCell(first, last,
+           [&](int x, int y, int z)
+           {
+             std::uint32_t& link = last_link_[cell(x, y, z)];
+             links_.push_back({extent, index, link});
+             link = static_cast<std::uint32_t>(links_.size() - 1);
+           });
 }
 
 // The cell, or one of two more ranges after the last cell: of those in no cell, and of the empty ones.

@@ -109,7 +109,7 @@ private:
   /// Where the first one that overlaps this box may begin.
   Cell firstBefore(Corner low) const
   {
-    const auto before = [&](int axis) { return std::max(field(low, axis) - longest_[static_cast<std::size_t>(axis)], 0) >> kUnitBits; };
+    const auto before = [&](int axis) { return std::max(field(low, axis) - field(longest_, axis), 0) >> kUnitBits; };
     return {before(0), before(1), before(2)};
   }
   std::size_t cell(int x, int y, int z) const
@@ -124,6 +124,10 @@ private:
     return cell(c[0], c[1], c[2]);
   }
   template <class Action>
+  static void eachRow(const Cell& first, const Cell& last, const Action& action);  ///< action(y, z)
+  template <class Action>
+  static void eachCell(const Cell& first, const Cell& last, const Action& action);  ///< action(x, y, z)
+  template <class Action>
   void eachFrom(std::size_t begin, std::size_t end, const Extent& extent, const Action& action) const;
   template <class Action>
   void eachInRows(const Cell& first, const Cell& last, const Extent& extent, const Action& action) const;
@@ -136,8 +140,7 @@ private:
   std::array<double, 3> origin_{};
   std::array<double, 3> units_per_metre_{1.0, 1.0, 1.0};
   std::array<double, 3> last_{};                ///< greatest coordinates, in units
-  std::array<int, 3> longest_{};                ///< edges of a box in a cell, in units
-  Corner longest_edges_ = 0;                    ///< the same, each in its field
+  Corner longest_ = 0;                          ///< edges of a box in a cell, in units
   std::array<int, 3> count_{1, 1, 1};           ///< of cells
   std::size_t boxes_ = 0;                       ///< that are not empty
   std::size_t in_cells_ = 0;                    ///< of these; those that are too long come after them
@@ -225,19 +228,34 @@ void BroadPhase::eachFrom(std::size_t begin, std::size_t end, const Extent& exte
 }
 
 template <class Action>
-void BroadPhase::eachInRows(const Cell& first, const Cell& last, const Extent& extent, const Action& action) const
+void BroadPhase::eachRow(const Cell& first, const Cell& last, const Action& action)
 {
   for (int z = first[2]; z <= last[2]; ++z)
-    for (int y = first[1]; y <= last[1]; ++y)
-      eachFrom(start_[cell(first[0], y, z)], start_[cell(last[0], y, z) + 1], extent, action);
+    for (int y = first[1]; y <= last[1]; ++y) action(y, z);
+}
+
+template <class Action>
+void BroadPhase::eachCell(const Cell& first, const Cell& last, const Action& action)
+{
+  eachRow(first, last,
+          [&](int y, int z)
+          {
+            for (int x = first[0]; x <= last[0]; ++x) action(x, y, z);
+          });
+}
+
+template <class Action>
+void BroadPhase::eachInRows(const Cell& first, const Cell& last, const Extent& extent, const Action& action) const
+{
+  eachRow(first, last,
+          [&](int y, int z) { eachFrom(start_[cell(first[0], y, z)], start_[cell(last[0], y, z) + 1], extent, action); });
 }
 
 template <class Action>
 void BroadPhase::eachInCells(const Extent& extent, const Action& action) const
 {
   const Cell first = firstBefore(extent.low), last = cellAt(extent.high);
-  for (int z = first[2]; z <= last[2]; ++z)
-    for (int y = first[1]; y <= last[1]; ++y) __builtin_prefetch(entries_.data() + start_[cell(first[0], y, z)]);
+  eachRow(first, last, [&](int y, int z) { __builtin_prefetch(entries_.data() + start_[cell(first[0], y, z)]); });
   eachInRows(first, last, extent, action);
 }
 
@@ -271,17 +289,17 @@ void BroadPhase::eachListed(const Extent& extent, const Action& action) const
     if (box.extent.overlaps(extent)) tell(box);
   if (links_.empty()) return;
   const Cell first = cellAt(extent.low), last = cellAt(extent.high);
-  for (int z = first[2]; z <= last[2]; ++z)
-    for (int y = first[1]; y <= last[1]; ++y)
-      for (int x = first[0]; x <= last[0]; ++x)
-        for (std::uint32_t link = last_link_[cell(x, y, z)]; link != kNoLink; link = links_[link].next)
-        {
-          const Listed& box = links_[link];
-          if (!box.extent.overlaps(extent)) continue;
-          const Cell its = cellAt(box.extent.low);  // of all cells that both are in, the first one tells
-          if (x == std::max(first[0], its[0]) && y == std::max(first[1], its[1]) && z == std::max(first[2], its[2]))
-            tell(box);
-        }
+  const auto tellOf = [&](int x, int y, int z)
+  {
+    for (std::uint32_t link = last_link_[cell(x, y, z)]; link != kNoLink; link = links_[link].next)
+    {
+      const Listed& box = links_[link];
+      if (!box.extent.overlaps(extent)) continue;
+      const Cell its = cellAt(box.extent.low);  // of all cells that both are in, the first one tells
+      if (x == std::max(first[0], its[0]) && y == std::max(first[1], its[1]) && z == std::max(first[2], its[2])) tell(box);
+    }
+  };
+  eachCell(first, last, tellOf);
 }
 
 template <class AnyBox, class Action>

@@ -39,15 +39,27 @@ void note(const WorldState& world, IslandWork& work, std::uint32_t i, std::uint3
   work.meetings.push_back({floatBefore(t), i, k, glances[i].version, glances[k].version});
 }
 
+void noteEncounter(const WorldState& world, const Window& window, IslandWork& work, std::uint32_t i, std::uint32_t k)
+{
+  const Encounter encounter = encounterOf(world, window, i, k);
+  if (encounter.met)
+    work.met.push_back({i, k});
+  else if (encounter.next <= window.outlook)
+    note(world, work, i, k, encounter.next);
+}
+
+// On the paths that they are on: what they did in the window is known.
+void noteNext(const WorldState& world, const Window& window, std::uint32_t i, std::uint32_t k)
+{
+  ++window.work->near_pairs;
+  const double t = firstMeeting(world, i, k, window.outlook);
+  if (t <= window.outlook) note(world, *window.work, i, k, t);
+}
+
 void lookForNext(const WorldState& world, const Window& window, std::uint32_t i)
 {
   world.islands.eachNear(i, boxAhead(world.balls[i], window.end, window.outlook), window.work->near,
-                         [&](std::uint32_t k)
-                         {
-                           ++window.work->near_pairs;
-                           const double t = firstMeeting(world, i, k, window.outlook);
-                           if (t <= window.outlook) note(world, *window.work, i, k, t);
-                         });
+                         [&](std::uint32_t k) { noteNext(world, window, i, k); });
 }
 }  // namespace
 
@@ -71,11 +83,7 @@ void beginOutlook(WorldState& world, const Window& window)
 void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, std::uint32_t k)
 {
   ++window.work->near_pairs;
-  const Encounter encounter = encounterOf(world, window, i, k);
-  if (encounter.met)
-    window.work->met.push_back({i, k});
-  else if (encounter.next <= window.outlook)
-    note(world, *window.work, i, k, encounter.next);
+  noteEncounter(world, window, *window.work, i, k);
 }
 
 void lookAround(WorldState& world, const Window& window, std::uint32_t i)
@@ -87,9 +95,7 @@ void lookAround(WorldState& world, const Window& window, std::uint32_t i)
                    {
                      if (!islands.isBusy(k) || islands.busy(k).root != mine.root) return lookAtPair(world, window, i, k);
                      if (k < i && world.balls[k].met) return;  // it looks for this one
-                     ++window.work->near_pairs;
-                     const double t = firstMeeting(world, i, k, window.outlook);
-                     if (t <= window.outlook) note(world, *window.work, i, k, t);
+                     noteNext(world, window, i, k);
                    });
 }
 
@@ -97,17 +103,12 @@ void takeMeetings(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
   std::vector<Meeting>& heap = islands.outlook.meetings;
-  IslandWork& work = islands.work.front();
   for (; !heap.empty() && static_cast<double>(heap.front().time) <= window.end; heap.pop_back())
   {
     std::pop_heap(heap.begin(), heap.end());
     const Meeting meeting = heap.back();
-    if (!unchanged(world, meeting)) continue;
-    const Encounter encounter = encounterOf(world, window, meeting.first, meeting.second);
-    if (encounter.met)
-      work.met.push_back({meeting.first, meeting.second});
-    else if (encounter.next <= window.outlook)  // the time was rounded, or the search for it had ended without an answer
-      note(world, work, meeting.first, meeting.second, encounter.next);
+    // It may be later: the time was rounded, or the search for it had ended without an answer.
+    if (unchanged(world, meeting)) noteEncounter(world, window, islands.work.front(), meeting.first, meeting.second);
   }
   gather(islands);
 }

@@ -43,12 +43,14 @@ void beginOutlook(WorldState& world, const Window& window);
 /// ends, if so.
 void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, std::uint32_t k);
 
-/// Does so for ball i, whose path has changed, with all others but those of its own island, who will meet it but have not.
+/// Does so for ball i, whose path has changed, and all that are near. With those of its own island it has met what there was to
+/// meet: of them only what comes after the window is noted.
 void lookAround(WorldState& world, const Window& window, std::uint32_t i);
 
 /// Those who meet in this window on the paths that they are on are noted as having met.
 void takeMeetings(WorldState& world, const Window& window);
 
-/// At the end of a window: what was noted is all that is known of the rest of the outlook.
+/// At the end of a window: looks for whom those meet next who were thought to have met someone but have not, and ends the
+/// outlook if too many have changed.
 void lookAhead(WorldState& world, const Window& window);
 }  // namespace ping_pong

@@ -120,25 +120,26 @@ TEST(Threads, ComeAndGoWithTheWorld)
       if (line.compare(0, 8, "Threads:") == 0) return std::stoi(line.substr(8));
     return 0;
   };
-  // The system counts a thread that has been joined for a moment more.
-  const auto threadsBecome = [&](int count)
+  // Once they are as many as this, or not in time: the system counts a thread that has been joined for a moment more.
+  const auto threadsSoon = [&](int count)
   {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     while (threadsNow() != count && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
-    return threadsNow() == count;
+    return threadsNow();
   };
-  const int before = threadsNow();
+  const int before = 1;
+  EXPECT_EQ(threadsSoon(before), before);  // those of other tests are gone
   Scene scene = gasOf(10);
   scene.threads = 3;
   {
     World world(scene);
-    EXPECT_TRUE(threadsBecome(before + 2));
+    EXPECT_EQ(threadsNow(), before + 2);
     world.reset();
-    EXPECT_TRUE(threadsBecome(before + 2));
+    EXPECT_EQ(threadsNow(), before + 2);
   }
   scene.balls.resize(1);
   World alone(scene);
-  EXPECT_TRUE(threadsBecome(before));  // there is nothing to share
+  EXPECT_EQ(threadsSoon(before), before);  // there is nothing to share
 }
 }  // namespace
 }  // namespace ping_pong
