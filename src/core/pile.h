@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pile_batches.h"
 #include "pile_slots.h"
 #include "ping_pong_sim/forces.h"
 #include "ping_pong_sim/types.h"
@@ -30,7 +31,7 @@ struct BallKind
   double give = 0.0;              ///< 1 + 1/k: slip of the touching point is this times impulse / mass
 };
 
-/// Impulses that acted in a contact in the last step.
+/// Impulses that acted on a ball from a body in the last step.
 struct Push
 {
   float normal = 0.0f;                        ///< >= 0 [N s]
@@ -53,39 +54,22 @@ struct BodyLink
   Push push;
 };
 
-/// What is kept of a pair in touch from step to step.
+/// What is kept of a pair in touch while the links are built anew.
 struct KeptPair
 {
-  std::uint32_t link = 0;
-  Push push;
-  float held = -1.0f;            ///< normal force when one of them fell asleep; < 0: both are awake [N]
-};
-
-/// The same while the links are built anew.
-struct KeptBalls
-{
   std::uint32_t a, b;
-  KeptPair kept;
+  float held;      ///< see Pile
+  Lanes push;      ///< see Pile
 };
 
-/// A link in touch, as the solver needs it.
-struct Touch
-{
-  Eigen::Vector4f n;             ///< unit normal, to the (first) ball
-  Eigen::Vector4f slip;          ///< of the touching points, before the contacts [m/s]
-  Eigen::Vector4f tangent;       ///< impulse of friction [N s]
-  float normal;                  ///< impulse along n, >= 0 [N s]
-  float target;                  ///< least change of the normal velocity of the first relative to the second [m/s]
-  float normal_mass, slip_mass, friction;
-  std::uint32_t a, b;            ///< slots of its balls
-  std::uint32_t link;
-};
-
-struct BodyTouch : Touch
+struct BodyTouch
 {
   Vector3d u;                    ///< velocity of the touched point of the body [m/s]
-  bool moving;                   ///< link of a moving body
+  std::uint32_t link;
+  std::uint32_t place;           ///< among the batches
+  std::uint32_t ball;            ///< slot
   std::uint16_t material;
+  bool moving;                   ///< link of a moving body
 };
 
 /// An impact in this step, if nothing happens to its balls before.
@@ -103,15 +87,15 @@ struct PileShare
   std::vector<std::uint32_t> balls, awake;                 ///< slots: all, and those awake
   std::vector<std::uint32_t> pairs, bodies;                ///< links
   std::vector<std::uint32_t> active_pairs, active_bodies;  ///< those with an end that is awake
-  std::vector<Touch> touches;
   std::vector<BodyTouch> body_touches;
-  std::vector<float> held;               ///< of each touch, see KeptPair
-  std::vector<KeptPair> kept;            ///< of links with an end that is awake
-  std::vector<KeptPair> kept_asleep;     ///< of the others
-  std::vector<KeptPair> all_kept;        ///< scratch
+  std::vector<TouchBatch> pair_batches, body_batches;
+  OpenBatches open_pairs, open_bodies;   ///< of these, while touches are listed
+  std::vector<FoundPair> found;          ///< of each place in pair_batches, then
+  std::vector<std::uint32_t> pair_links; ///< of each place
   std::vector<ImpactAhead> ahead;        ///< found by a look at all links
   std::vector<std::uint32_t> leaving;    ///< slots of balls that leave the way that their links cover
   std::vector<std::uint32_t> waking;     ///< slots to wake up at the end of the step
+  double fastest = 0.0;                  ///< square of the speed of a ball before the contacts of this step [m^2/s^2]
   std::uint32_t squeezed = 0;            ///< balls deep in a body at the start of this step
   std::uint32_t changed = 0;             ///< when a sweep last changed something here, on the counter of the pile
   bool active_void = false;              ///< somebody fell asleep or woke up
@@ -147,6 +131,8 @@ struct Pile : PileSlots
 
   std::vector<BallKind> kinds;
   std::vector<PairLink> pairs;
+  std::vector<Lanes> pushes;            ///< of each pair in the last step: of friction, and along the normal, >= 0 [N s]
+  std::vector<float> held;              ///< of each pair: normal force when one of them fell asleep; < 0 if not one alone sleeps [N]
   std::vector<BodyLink> bodies;         ///< with still bodies
   std::vector<BodyLink> moving;         ///< with moving bodies, for this step
   std::array<PileShare, kMostSlabs + 1> shares;  ///< slabs; the last one has the links that go farther
@@ -155,7 +141,7 @@ struct Pile : PileSlots
   std::vector<std::uint32_t> first_link;  ///< of each ball, the beginning of the chain of its links in `pairs`
   std::vector<std::uint32_t> first_body;  ///< the same in `bodies`
   std::vector<ImpactAhead> ahead;         ///< heap, the next one on top
-  std::vector<KeptBalls> old_kept;
+  std::vector<KeptPair> old_kept;
   std::vector<BodyLink> old_bodies;
   std::vector<std::uint32_t> old_slot, new_slot;  ///< scratch
   PileGrid grid;
@@ -244,8 +230,10 @@ bool updateLinksAfterImpact(WorldState& world, std::uint32_t a, std::uint32_t b)
 void updateActive(WorldState& world);
 /// Impacts in the step: located on the paths, resolved one by one, the next one first.
 void resolveImpacts(WorldState& world);
-/// Contacts that carry load: velocities such that nothing is pressed into another, with friction.
+/// Contacts that carry load: impulses such that nothing is pressed into another, with friction.
 void solveContacts(WorldState& world);
+/// What they change of the balls of a share.
+void takeContacts(WorldState& world, const PileShare& share);
 /// Balls that have not moved for a while and whom nobody disturbs fall asleep; whom somebody disturbs wakes up.
 void settlePile(WorldState& world);
 }  // namespace ping_pong

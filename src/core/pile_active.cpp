@@ -12,19 +12,6 @@ bool anyAwake(const Pile& pile, const PairLink& link)
   return !pile.movers[link.a].asleep || !pile.movers[link.b].asleep;
 }
 
-// What is kept, anew by who is awake.
-void divideKept(const Pile& pile, PileShare& share)
-{
-  const auto earlier = [](const KeptPair& p, const KeptPair& q) { return p.link < q.link; };
-  if (!std::is_sorted(share.kept.begin(), share.kept.end(), earlier)) std::sort(share.kept.begin(), share.kept.end(), earlier);
-  share.all_kept.resize(share.kept.size() + share.kept_asleep.size());
-  std::merge(share.kept.begin(), share.kept.end(), share.kept_asleep.begin(), share.kept_asleep.end(), share.all_kept.begin(), earlier);
-  share.kept.clear();
-  share.kept_asleep.clear();
-  for (const KeptPair& kept : share.all_kept)
-    (anyAwake(pile, pile.pairs[kept.link]) ? share.kept : share.kept_asleep).push_back(kept);
-}
-
 void updateShare(const Pile& pile, PileShare& share)
 {
   if (!share.active_void) return;
@@ -38,7 +25,6 @@ void updateShare(const Pile& pile, PileShare& share)
     if (anyAwake(pile, pile.pairs[l])) share.active_pairs.push_back(l);
   for (const std::uint32_t l : share.bodies)
     if (!pile.movers[pile.bodies[l].ball].asleep) share.active_bodies.push_back(l);
-  divideKept(pile, share);
 }
 }  // namespace
 

@@ -99,14 +99,17 @@ void chainPairs(Pile& pile)
   for (std::uint32_t l = static_cast<std::uint32_t>(pile.pairs.size()); l-- > 0;) chainPair(pile, l);
 }
 
-// Links that were there before keep what they know; updateActive() puts it in order.
+// Links that were there before keep what they know.
 void remember(Pile& pile)
 {
-  for (const KeptBalls& old : pile.old_kept)
+  pile.pushes.assign(pile.pairs.size(), Lanes{});
+  pile.held.assign(pile.pairs.size(), -1.0f);
+  for (const KeptPair& old : pile.old_kept)
     pile.anyLink(old.a, [&](std::uint32_t l) {
-      const bool same = pile.pairs[l].a == old.a && pile.pairs[l].b == old.b;
-      if (same) shareOf(pile, pile.pairs[l]).kept.push_back({l, old.kept.push, old.kept.held});
-      return same;
+      if (pile.pairs[l].a != old.a || pile.pairs[l].b != old.b) return false;
+      pile.pushes[l] = old.push;
+      pile.held[l] = old.held;
+      return true;
     });
   pile.old_kept.clear();
   for (const BodyLink& old : pile.old_bodies)
@@ -123,6 +126,8 @@ void linkStray(Pile& pile, std::uint32_t i, const PileGrid::Entry& mine, const P
   if (pile.anyLink(i, [&](std::uint32_t l) { return pile.pairs[l].a == k || pile.pairs[l].b == k; })) return;
   const auto l = static_cast<std::uint32_t>(pile.pairs.size());
   pile.pairs.push_back({std::min(i, k), std::max(i, k), 0, 0});
+  pile.pushes.push_back(Lanes{});
+  pile.held.push_back(-1.0f);
   PileShare& share = shareOf(pile, pile.pairs[l]);
   share.pairs.push_back(l);
   share.active_pairs.push_back(l);
@@ -201,12 +206,9 @@ void build(WorldState& world)
 
 void detachKept(Pile& pile)
 {
-  for (PileShare& share : pile.shares)
-    for (std::vector<KeptPair>* list : {&share.kept, &share.kept_asleep})
-    {
-      for (const KeptPair& kept : *list) pile.old_kept.push_back({pile.pairs[kept.link].a, pile.pairs[kept.link].b, kept});
-      list->clear();
-    }
+  for (std::size_t l = 0; l < pile.pairs.size(); ++l)
+    if (pile.pushes[l][3] > 0.0f || pile.held[l] >= 0.0f)
+      pile.old_kept.push_back({pile.pairs[l].a, pile.pairs[l].b, pile.held[l], pile.pushes[l]});
   pile.pairs.clear();
 }
 

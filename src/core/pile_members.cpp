@@ -94,9 +94,10 @@ void reserveShare(PileShare& share, std::size_t balls)
   for (std::vector<std::uint32_t>* list : {&share.pairs, &share.active_pairs}) list->reserve(kPairs * balls);
   for (std::vector<std::uint32_t>* list : {&share.bodies, &share.active_bodies}) list->reserve(kBodies * balls);
   share.body_touches.reserve(kBodies * balls);
-  share.touches.reserve(kTouches * balls);
-  share.held.reserve(kTouches * balls);
-  for (std::vector<KeptPair>* list : {&share.kept, &share.kept_asleep, &share.all_kept}) list->reserve(kTouches * balls);
+  share.body_batches.reserve(kBodies * balls / kLanes + kMore);
+  share.pair_batches.reserve(kTouches * balls / kLanes + kMore);
+  share.found.reserve(kTouches * balls + kLanes * kMore);
+  share.pair_links.reserve(kTouches * balls + kLanes * kMore);
   share.ahead.reserve(balls);
 }
 }  // namespace
@@ -106,6 +107,8 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   eachSlotList(pile, !constant_forces, [balls](auto& list) { list.reserve(balls); });
   pile.kinds.reserve(kKinds);
   pile.pairs.reserve(kPairs * balls);
+  pile.pushes.reserve(kPairs * balls);
+  pile.held.reserve(kPairs * balls);
   for (std::vector<PairLink>& found : pile.found) found.reserve(kMore + kPairs * balls / (Pile::kMostSlabs / 2));
   for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving}) links->reserve(kBodies * balls + kMore);
   for (std::vector<std::uint32_t>* list : {&pile.old_slot, &pile.new_slot}) list->reserve(balls);
@@ -140,9 +143,9 @@ void dropFromPile(Pile& pile, std::uint32_t ball)
   const auto forget = [](auto& links, const auto& its) {
     links.erase(std::remove_if(links.begin(), links.end(), its), links.end());
   };
-  forget(pile.old_kept, [slot](const KeptBalls& kept) { return kept.a == slot || kept.b == slot; });
+  forget(pile.old_kept, [slot](const KeptPair& kept) { return kept.a == slot || kept.b == slot; });
   forget(pile.bodies, [slot](const BodyLink& link) { return link.ball == slot; });
-  for (KeptBalls& kept : pile.old_kept) kept.a -= kept.a > slot, kept.b -= kept.b > slot;
+  for (KeptPair& kept : pile.old_kept) kept.a -= kept.a > slot, kept.b -= kept.b > slot;
   for (BodyLink& link : pile.bodies) link.ball -= link.ball > slot;
   pile.links_void = true;
 }

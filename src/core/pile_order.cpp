@@ -46,13 +46,13 @@ void swapAll(List& list, const std::vector<std::uint32_t>& with)
 }
 
 // Normals point from b to a, and a comes first.
-void rename(KeptBalls& kept, const std::vector<std::uint32_t>& new_slot)
+void rename(KeptPair& kept, const std::vector<std::uint32_t>& new_slot)
 {
   kept.a = new_slot[kept.a];
   kept.b = new_slot[kept.b];
   if (kept.a < kept.b) return;
   std::swap(kept.a, kept.b);
-  kept.kept.push.tangent *= -1.0f;
+  kept.push *= Lanes{-1.0f, -1.0f, -1.0f, 1.0f};
 }
 }  // namespace
 
@@ -60,7 +60,7 @@ void sortSlots(Pile& pile)
 {
   if (!scattered(pile)) return;
   findOrder(pile);
-  for (KeptBalls& kept : pile.old_kept) rename(kept, pile.new_slot);
+  for (KeptPair& kept : pile.old_kept) rename(kept, pile.new_slot);
   for (std::vector<BodyLink>* links : {&pile.old_bodies, &pile.moving})
     for (BodyLink& link : *links) link.ball = pile.new_slot[link.ball];
   turnIntoSwaps(pile.old_slot);

@@ -91,10 +91,9 @@ void clearShare(PileShare& share)
   for (std::vector<std::uint32_t>* list : {&share.balls, &share.awake, &share.pairs, &share.bodies, &share.active_pairs, &share.active_bodies,
                                            &share.leaving, &share.waking})
     list->clear();
-  for (std::vector<KeptPair>* list : {&share.kept, &share.kept_asleep}) list->clear();
-  share.touches.clear();
   share.body_touches.clear();
-  share.held.clear();
+  share.pair_batches.clear();
+  share.body_batches.clear();
   share.ahead.clear();
   share.active_void = false;
 }

@@ -38,13 +38,13 @@ void keepAwake(Pile& pile)
   for (PileShare& share : pile.shares)
     for (const std::uint32_t i : share.awake) pile.movers[i].kept_awake = false;
   for (const PileShare& share : pile.shares)
-    for (const Touch& touch : share.touches)
-    {
-      if (pile.movers[touch.a].asleep || pile.movers[touch.b].asleep) continue;
-      const bool a = pile.still[touch.a] > kStillFor, b = pile.still[touch.b] > kStillFor;
-      if (a == b) continue;
-      pile.movers[a ? touch.a : touch.b].kept_awake = true;
-    }
+    for (const TouchBatch& batch : share.pair_batches)
+      for (std::size_t k = 0; k < kLanes; ++k)
+      {
+        if (pile.movers[batch.a[k]].asleep || pile.movers[batch.b[k]].asleep) continue;
+        const bool a = pile.still[batch.a[k]] > kStillFor, b = pile.still[batch.b[k]] > kStillFor;
+        if (a != b) pile.movers[a ? batch.a[k] : batch.b[k]].kept_awake = true;
+      }
 }
 }  // namespace
 

@@ -29,24 +29,28 @@ struct alignas(64) Mover
 
 static_assert(sizeof(Mover) == 64, "one cache line");
 
-/// What the contacts of this step change of a ball; the last components of the vectors are 0.
-struct Change
+/// What the contacts of this step change of a ball, and what of it they ask for. One cache line.
+struct alignas(64) Change
 {
-  Eigen::Vector4f v = Eigen::Vector4f::Zero();    ///< of its velocity [m/s]
-  Eigen::Vector4f rim = Eigen::Vector4f::Zero();  ///< of radius times spin [m/s]
-  float per_impulse = 0.0f;      ///< 1 / mass, 0 while asleep [1/kg]
-  float rim_per_impulse = 0.0f;  ///< 1 / (k mass)
-  float fast = 0.0f;             ///< speed before the contacts [m/s]
-  std::uint32_t sweep = 0;       ///< that changed it last, on the counter of the pile
+  Eigen::Vector4f v = Eigen::Vector4f::Zero();    ///< of its velocity [m/s], and 1 / mass, 0 while asleep [1/kg]
+  Eigen::Vector4f rim = Eigen::Vector4f::Zero();  ///< of radius times spin [m/s], and 1 / (k mass)
+  Eigen::Vector4f before = Eigen::Vector4f::Zero();  ///< radius times spin before the contacts [m/s], and 0
+  Eigen::Vector4f p = Eigen::Vector4f::Zero();    ///< of its place, against overlap [m], and 0
 };
+static_assert(sizeof(Change) == 64, "one cache line");
 
 struct PileSlots
 {
+  static constexpr std::uint8_t kCarried = 1;  ///< by something that pushes,
+  static constexpr std::uint8_t kTouched = 2;  ///< and that is another ball
+
   std::vector<std::uint32_t> ball;      ///< its index in WorldState::balls
   std::vector<Mover> movers;
   std::vector<Vector3d> w;              ///< spin [rad/s]
   std::vector<Quaterniond> q;
   std::vector<Change> changes;
+  std::vector<std::uint32_t> swept;     ///< the sweep over touches that last changed it, on the counter of the pile
+  std::vector<std::uint8_t> pushed;     ///< in this step: kCarried, kTouched or both
   std::vector<Vector3d> a;              ///< acceleration, where it is not constant [m/s^2]
   std::vector<Vector3d> home;           ///< where it was when the links were built [m]
   std::vector<Eigen::Vector3f> sweep;   ///< way that the links cover from there, and by the margin around it [m]
@@ -59,9 +63,9 @@ struct PileSlots
 template <typename Action>
 void eachSlotList(PileSlots& slots, bool with_a, const Action& action)
 {
-  auto& [ball, movers, w, q, changes, a, home, sweep, anchor, still, untouched] = slots;  // does not compile if one is left out
+  auto& [ball, movers, w, q, changes, swept, pushed, a, home, sweep, anchor, still, untouched] = slots;  // does not compile if one is left out
   const auto each = [&action](auto&... lists) { (action(lists), ...); };
-  each(ball, movers, w, q, changes, home, sweep, anchor, still, untouched);
+  each(ball, movers, w, q, changes, swept, pushed, home, sweep, anchor, still, untouched);
   if (with_a) action(a);
 }
 

@@ -80,6 +80,7 @@ void endStep(Pile& pile, PileShare& share)
     Mover& mover = pile.movers[i];
     const Vector3d p = pile.movers[i].p + pile.h * mover.v;
     Vector3d v = mover.v;
+    mover.loaded = (pile.pushed[i] & Pile::kCarried) != 0;
     mover.half_owed = !mover.was_loaded && mover.loaded;
     if (!mover.was_loaded && !mover.loaded)
     {
@@ -98,6 +99,7 @@ void endStep(Pile& pile, PileShare& share)
     mover.v = v;
     mover.calm = mover.loaded && v.squaredNorm() < 0.25 * pile.least_impact * pile.least_impact;
     turn(pile, i);
+    if (pile.pushed[i] & Pile::kTouched) pile.untouched[i] = 0.0f;
     pile.untouched[i] += static_cast<float>(pile.h);
     const Eigen::Vector3f way = (p - pile.home[i]).cast<float>();
     const bool there = (way - pile.anchor[i]).squaredNorm() < kPlace * kPlace;
@@ -111,14 +113,8 @@ void setLength(Pile& pile, double h)
 {
   if (pile.h == h) return;
   const float ratio = pile.h > 0.0 ? static_cast<float>(h / pile.h) : 0.0f;
-  const auto scale = [ratio](Push& push) {
-    push.normal *= ratio;
-    push.tangent *= ratio;
-  };
-  for (PileShare& share : pile.shares)
-    for (std::vector<KeptPair>* list : {&share.kept, &share.kept_asleep})
-      for (KeptPair& kept : *list) scale(kept.push);
-  for (BodyLink& link : pile.bodies) scale(link.push);
+  for (Lanes& push : pile.pushes) push *= ratio;
+  for (BodyLink& link : pile.bodies) link.push = {ratio * link.push.normal, ratio * link.push.tangent};
   pile.h = h;
 }
 
@@ -136,7 +132,12 @@ void step(WorldState& world, double start, double h)
   if (!pile.anyAwake() && pile.moving.empty()) return;
   resolveImpacts(world);
   solveContacts(world);
-  eachShare(world, [&pile](PileShare& share) { endStep(pile, share); });
+  eachShare(world,
+            [&](PileShare& share)
+            {
+              takeContacts(world, share);
+              endStep(pile, share);
+            });
   settlePile(world);
 }
 }  // namespace
