@@ -13,8 +13,9 @@ namespace ping_pong
 namespace
 {
 constexpr double kTooManySearches = 4.0;  // of pairs, by ball: a window that needs more is given up
-constexpr double kTicksAhead = 1.5;  // that are worth an outlook
-constexpr double kShare = 0.8;       // of the windows that would fit into a tick: rather a bit longer than one more
+constexpr double kWindowsAhead = 1.5;    // that are worth an outlook
+constexpr double kMostBusy = 4096.0;     // balls to which something happens in a window: more are a long way through memory
+constexpr double kShare = 0.8;           // of the windows that would fit into a tick: rather a bit longer than one more
 
 // A look at two boxes that overlap costs an eighth of a search.
 double pairSearches(const IslandRecords& islands)
@@ -168,18 +169,25 @@ void sumUp(WorldState& world)
   }
 }
 
+std::size_t busyBalls(const IslandRecords& islands)
+{
+  std::size_t busy = 0;
+  for (const IslandWork& work : islands.work) busy += work.busy.size();
+  return busy;
+}
+
 // Windows share what is left of the tick.
 double endInTick(const IslandRecords& islands, double start, double end)
 {
-  const double windows = std::ceil(kShare * (end - start) / islands.length.next());
+  const double windows = std::ceil((end - start) * std::max(kShare / islands.length.next(), islands.busy_per_second / kMostBusy));
   return windows > 1.0 ? start + (end - start) / windows : end;
 }
 
 // Where windows are short because ticks are, one looks ahead: but not if someone changes balls or paddles in every tick.
-double endOfOutlook(const IslandRecords& islands, double start, double window_end, double tick)
+double endOfOutlook(const IslandRecords& islands, double start, double window_end)
 {
   if (seesAhead(islands, window_end)) return islands.outlook.end;
-  const bool ahead = islands.glances.known() && islands.length.next() >= kTicksAhead * tick;
+  const bool ahead = islands.glances.known() && islands.length.next() >= kWindowsAhead * (window_end - start);
   return ahead ? start + islands.length.next() : window_end;
 }
 
@@ -208,7 +216,6 @@ void endOutlook(WorldState& world, const Window& window)
 void runIslands(WorldState& world, double end)
 {
   IslandRecords& islands = world.islands;
-  const double tick = end - world.time;
   for (double start = world.time; start < end;)
   {
     const double window_end = endOfWindow(world, start, endInTick(islands, start, end));
@@ -225,11 +232,12 @@ void runIslands(WorldState& world, double end)
       window.start = start;
       window.end = window_end;
       window.smooth_until = end;
-      window.outlook = endOfOutlook(islands, start, window_end, tick);
+      window.outlook = endOfOutlook(islands, start, window_end);
       const Outcome outcome = runWindow(world, window);
       sumUp(world);
       if (outcome == Outcome::TooLong) islands.length.tooLong(std::min(islands.length.next(), window.outlook - start));
       if (outcome != Outcome::Done) continue;
+      islands.busy_per_second = static_cast<double>(busyBalls(islands)) / (window_end - start);
       endOutlook(world, window);
     }
     if (!world.pile.ball.empty()) islands.glances.forget();  // some may leave it
