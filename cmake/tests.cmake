@@ -75,6 +75,7 @@ foreach(name
     state_hash
     threads
     slabs
+    batches
     workers
     islands
     impulse

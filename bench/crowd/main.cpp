@@ -87,7 +87,7 @@ void writeRow(std::FILE* file, const CrowdScene& scene, const CrowdPoint& point,
 CrowdResult bestOf(const CrowdPoint& point, const CrowdScene& scene, std::size_t balls, const CrowdEffort& effort, int runs)
 {
   CrowdResult best = measureCrowd(point, scene, balls, effort);
-  for (int i = 1; i < runs && best.done && best.wall < 0.1 * effort.most; ++i)
+  for (int i = 1; i < runs && best.done && best.wall < 0.25 * effort.most; ++i)
   {
     const CrowdResult other = measureCrowd(point, scene, balls, effort);
     if (other.done && other.cost < best.cost) best = other;

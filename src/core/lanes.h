@@ -14,6 +14,7 @@ using LaneMask = std::int32_t __attribute__((vector_size(16)));  ///< of a compa
 inline constexpr std::size_t kLanes = 4;
 
 inline Lanes allLanes(float x) { return Lanes{x, x, x, x}; }
+/// b where a is not a number.
 inline Lanes lesser(Lanes a, Lanes b) { return a < b ? a : b; }
 inline Lanes greater(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Lanes squareRoot(Lanes x) { return Lanes{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])}; }
@@ -64,15 +65,26 @@ Lanes lanesOf(const Vector& v, double last)
   return Lanes{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(last)};
 }
 
+/// Four of the eight numbers of a and b, by their indices.
+template <int i, int j, int k, int l>
+Lanes pick(Lanes a, Lanes b)
+{
+#ifdef __clang__
+  return __builtin_shufflevector(a, b, i, j, k, l);
+#else
+  return __builtin_shuffle(a, b, LaneMask{i, j, k, l});
+#endif
+}
+
 /// Four records of four numbers each, turned into four times the same number of each.
 inline void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d)
 {
-  const Lanes ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5), ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-  const Lanes cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5), cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-  c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+  const Lanes ab_low = pick<0, 4, 1, 5>(a, b), ab_high = pick<2, 6, 3, 7>(a, b);
+  const Lanes cd_low = pick<0, 4, 1, 5>(c, d), cd_high = pick<2, 6, 3, 7>(c, d);
+  a = pick<0, 1, 4, 5>(ab_low, cd_low);
+  b = pick<2, 3, 6, 7>(ab_low, cd_low);
+  c = pick<0, 1, 4, 5>(ab_high, cd_high);
+  d = pick<2, 3, 6, 7>(ab_high, cd_high);
 }
 
 /// Four records of a vector and another number.

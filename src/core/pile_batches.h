@@ -1,4 +1,4 @@
-// Touches of a pile in batches of four that share no ball: four are solved at a time, and come to the same as one by one.
+// Touches of a pile in batches of four that share no ball.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The iteration over touches, four at a time.
+// The iteration over touches, four at a time: those of a batch share no ball, so it comes to the same as one after the other.
 #include <algorithm>
 
 #include "pile_contacts.h"
@@ -87,7 +87,7 @@ template <bool pairs>
   const LaneVectors before = batch.tangent;
   const LaneVectors wanted = before - batch.slip_mass * slip;
   const Lanes size = squareRoot(greater(dot(wanted, wanted), allLanes(kTiny)));
-  batch.tangent = lesser(allLanes(1.0f), batch.friction * batch.normal / size) * wanted;
+  batch.tangent = lesser(batch.friction * batch.normal / size, allLanes(1.0f)) * wanted;
   return batch.tangent - before;
 }
 
@@ -98,7 +98,7 @@ template <bool pairs>
   const FourBalls balls(changes, batch, pairs);
   const LaneVectors u = difference<pairs>(balls, &Change::v);
   const Lanes closing = dot(batch.n, u), before = batch.normal;
-  batch.normal = greater(Lanes{}, before + batch.normal_mass * (batch.target - closing));
+  batch.normal = greater(before + batch.normal_mass * (batch.target - closing), Lanes{});
   const Lanes impulse = batch.normal - before;
   if (!anyLane((impulse != Lanes{}) | (batch.normal != Lanes{}))) return LaneMask{};  // where nothing presses, nothing rubs
   const LaneVectors rims = sum<pairs>(balls, &Change::rim);
@@ -116,7 +116,7 @@ struct Sweep
   float small;          // square of a change of a velocity that is not passed on [m^2/s^2]
 };
 
-// Where there are yet no touches nothing changes. (Nobody can tell beforehand where it does: there is no branch for that.)
+// Without a branch for each lane: a processor cannot tell beforehand which of them change.
 void mark(std::vector<std::uint32_t>& swept, const std::array<std::uint32_t, kLanes>& slots, LaneMask changed, std::uint32_t now)
 {
   for (std::size_t k = 0; k < kLanes; ++k)
@@ -137,6 +137,7 @@ void sweep(Pile& pile, TouchBatch& batch, const Sweep& it, LaneMask& any_changed
   }
   if (!any) return;
   const LaneMask changed = solve<pairs>(pile.changes, batch, it.small);
+  if (!anyLane(changed)) return;
   any_changed |= changed;
   mark(pile.swept, batch.a, changed, it.now);
   if (pairs) mark(pile.swept, batch.b, changed, it.now);
