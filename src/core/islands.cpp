@@ -13,9 +13,7 @@ namespace ping_pong
 namespace
 {
 constexpr double kTooManySearches = 4.0;  // of pairs, by ball: a window that needs more is given up
-constexpr double kWindowsAhead = 1.5;    // that are worth an outlook
-constexpr double kMostBusy = 4096.0;     // balls to which something happens in a window: more are a long way through memory
-constexpr double kShare = 0.8;           // of the windows that would fit into a tick: rather a bit longer than one more
+constexpr double kWindowsAhead = 1.5;     // that are worth an outlook
 
 // A look at two boxes that overlap costs an eighth of a search.
 double pairSearches(const IslandRecords& islands)
@@ -179,7 +177,7 @@ std::size_t busyBalls(const IslandRecords& islands)
 // Windows share what is left of the tick.
 double endInTick(const IslandRecords& islands, double start, double end)
 {
-  const double windows = std::ceil((end - start) * std::max(kShare / islands.length.next(), islands.busy_per_second / kMostBusy));
+  const double windows = islands.length.countIn(end - start);
   return windows > 1.0 ? start + (end - start) / windows : end;
 }
 
@@ -237,7 +235,7 @@ void runIslands(WorldState& world, double end)
       sumUp(world);
       if (outcome == Outcome::TooLong) islands.length.tooLong(std::min(islands.length.next(), window.outlook - start));
       if (outcome != Outcome::Done) continue;
-      islands.busy_per_second = static_cast<double>(busyBalls(islands)) / (window_end - start);
+      islands.length.busy(window_end - start, busyBalls(islands));
       endOutlook(world, window);
     }
     if (!world.pile.ball.empty()) islands.glances.forget();  // some may leave it

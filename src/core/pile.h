@@ -31,13 +31,6 @@ struct BallKind
   double give = 0.0;              ///< 1 + 1/k: slip of the touching point is this times impulse / mass
 };
 
-/// Impulses that acted on a ball from a body in the last step.
-struct Push
-{
-  float normal = 0.0f;                        ///< >= 0 [N s]
-  Eigen::Vector3f tangent{0.0f, 0.0f, 0.0f};  ///< of friction [N s]
-};
-
 /// Two balls that may touch soon. Each ball has a chain of its links: see anyLink().
 struct PairLink
 {
@@ -51,7 +44,7 @@ struct BodyLink
   std::uint32_t ball;
   std::uint32_t next;            ///< link of this ball with a still body
   std::uint16_t body, shape;
-  Push push;
+  Lanes push{};                  ///< in the last step: of friction, and along the normal, >= 0 [N s]
 };
 
 /// What is kept of a pair in touch while the links are built anew.
@@ -95,7 +88,7 @@ struct PileShare
   std::vector<ImpactAhead> ahead;        ///< found by a look at all links
   std::vector<std::uint32_t> leaving;    ///< slots of balls that leave the way that their links cover
   std::vector<std::uint32_t> waking;     ///< slots to wake up at the end of the step
-  double fastest = 0.0;                  ///< square of the speed of a ball before the contacts of this step [m^2/s^2]
+  double fastest_squared = 0.0;          ///< speed of a ball before the contacts of this step [m^2/s^2]
   std::uint32_t squeezed = 0;            ///< balls deep in a body at the start of this step
   std::uint32_t changed = 0;             ///< when a sweep last changed something here, on the counter of the pile
   bool active_void = false;              ///< somebody fell asleep or woke up
@@ -164,7 +157,6 @@ struct Pile : PileSlots
   {
     return movers[i].loaded || movers[i].asleep ? Vector3d(Vector3d::Zero()) : flightAcceleration(i);
   }
-  double inverseMass(std::size_t i) const { return movers[i].asleep ? 0.0 : kinds[movers[i].kind].inverse_mass; }
   /// Distance of the centres of two balls that touch [m].
   double reach(std::size_t i, std::size_t k) const
   {

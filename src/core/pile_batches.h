@@ -17,7 +17,8 @@ struct alignas(64) TouchBatch
   LaneVectors tangent{};         ///< impulses of friction [N s]
   Lanes normal{};                ///< impulses along n, >= 0 [N s]
   Lanes target{};                ///< least changes of the velocities along n of the first relative to the second [m/s]
-  Lanes normal_mass{}, slip_mass{}, friction{};
+  Lanes normal_mass{}, slip_mass{};  ///< impulses by changes of the relative velocities [kg]
+  Lanes friction{};              ///< coefficients
   std::array<std::uint32_t, kLanes> a, b;  ///< slots of the balls; in a lane without a touch both are the same
 
   static constexpr std::uint32_t kBody = ~0u;  ///< the second one of a ball with a body
@@ -35,8 +36,8 @@ static_assert(sizeof(TouchBatch) == 256, "four lines of the cache");
 /// Two balls in touch, as they are found.
 struct FoundPair
 {
-  Lanes way;   ///< from the second one to the first at the end of the step [m], and its square less that of their reach
-  Lanes u;     ///< velocity of the first relative to the second [m/s], and as above at the start of the step, if they overlap
+  Lanes way;   ///< from the second one to the first at the end of the step [m], and its square less that of their reach [m^2]
+  Lanes u;     ///< velocity of the first relative to the second [m/s], and as above at the start of the step, at most 0 [m^2]
   Lanes push;  ///< impulse of friction that it begins with, and along the normal [N s]
 };
 

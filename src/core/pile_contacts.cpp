@@ -37,14 +37,14 @@ void startContacts(Pile& pile, PileShare& share)
   share.body_batches.clear();
   share.open_pairs = share.open_bodies = OpenBatches();
   share.waking.clear();
-  share.fastest = 0.0;
+  share.fastest_squared = 0.0;
   for (const std::uint32_t i : share.awake)
   {
     Mover& mover = pile.movers[i];
     mover.was_loaded = mover.loaded;
     mover.v += kick(pile, i);
     clearChange(pile, i);
-    share.fastest = std::max(share.fastest, mover.v.squaredNorm());
+    share.fastest_squared = std::max(share.fastest_squared, mover.v.squaredNorm());
   }
 }
 
@@ -95,9 +95,9 @@ void keepBodies(Pile& pile, const PileShare& share)
   {
     const TouchBatch& batch = share.body_batches[touch.place / kLanes];
     const std::size_t lane = touch.place % kLanes;
-    const Push push{batch.normal[lane], batch.tangent.at(lane)};
-    if (!touch.moving) pile.bodies[touch.link].push = push;
-    if (push.normal > 0.0f) pile.pushed[touch.ball] |= Pile::kCarried;
+    const float normal = batch.normal[lane];
+    if (!touch.moving) pile.bodies[touch.link].push = lanesOf(batch.tangent.at(lane), static_cast<double>(normal));
+    if (normal > 0.0f) pile.pushed[touch.ball] |= Pile::kCarried;
   }
 }
 

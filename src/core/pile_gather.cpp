@@ -71,9 +71,9 @@ void gatherPair(Pile& pile, PileShare& share, std::uint32_t l)
 // Any ball may be thrown at a body by the fastest one.
 double reachOfBodies(const Pile& pile)
 {
-  double fastest = 0.0;
-  for (const PileShare& share : pile.shares) fastest = std::max(fastest, share.fastest);
-  return reachOf(pile) + kCaught * pile.h * std::sqrt(fastest);
+  double squared = 0.0;
+  for (const PileShare& share : pile.shares) squared = std::max(squared, share.fastest_squared);
+  return reachOf(pile) + kCaught * pile.h * std::sqrt(squared);
 }
 
 void gatherBody(WorldState& world, PileShare& share, std::uint32_t l, BodyLink& link, double reach)
@@ -92,7 +92,7 @@ void gatherBody(WorldState& world, PileShare& share, std::uint32_t l, BodyLink& 
   const Gap gap = gapAt(end, pile.h);
   if (gap.gap > reach)
   {
-    link.push = Push();
+    link.push = Lanes{};
     return;
   }
   const double gap_at_start = hitInThisStep(pile, i) ? 0.0 : gapAt(mover.p, 0.0).gap;
@@ -115,20 +115,19 @@ void gatherBody(WorldState& world, PileShare& share, std::uint32_t l, BodyLink& 
   const Vector3f n = gap.n_W.cast<float>();
   batch.n.set(lane, n);
   batch.slip.set(lane, Vector3f((v - gap.n_W.dot(v) * gap.n_W).cast<float>() - pile.changes[i].before.head<3>().cross(n)));
-  const Push push = overlap > kForgets ? Push() : link.push;
-  batch.tangent.set(lane, push.tangent);
-  batch.normal[lane] = push.normal;
+  const Lanes push = overlap > kForgets ? Lanes{} : link.push;
+  batch.tangent.set(lane, Vector3f(push[0], push[1], push[2]));
+  batch.normal[lane] = push[3];
   batch.target[lane] = static_cast<float>(-(overlap + gap.gap) / pile.h);
   batch.normal_mass[lane] = static_cast<float>(kind.params.mass);
   batch.slip_mass[lane] = static_cast<float>(kind.params.mass / kind.give);
   batch.friction[lane] = static_cast<float>(world.scene.surfaces.at(kind.params.material, shape.material).friction);
 }
 
-void gatherShare(WorldState& world, PileShare& share)
+void gatherShare(WorldState& world, PileShare& share, double reach_of_bodies)
 {
   Pile& pile = world.pile;
-  const double reach = reachOfBodies(pile);
-  for (const std::uint32_t l : share.active_bodies) gatherBody(world, share, l, pile.bodies[l], reach);
+  for (const std::uint32_t l : share.active_bodies) gatherBody(world, share, l, pile.bodies[l], reach_of_bodies);
   for (const std::uint32_t l : share.active_pairs) gatherPair(pile, share, l);
 }
 }  // namespace
@@ -136,13 +135,14 @@ void gatherShare(WorldState& world, PileShare& share)
 void gatherTouches(WorldState& world)
 {
   Pile& pile = world.pile;
+  const double reach = reachOfBodies(pile);
   for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
-    gatherBody(world, pile.shares[pile.share_of[pile.moving[l].ball]], l, pile.moving[l], reachOfBodies(pile));
+    gatherBody(world, pile.shares[pile.share_of[pile.moving[l].ball]], l, pile.moving[l], reach);
   updateActive(world);  // who meets a body that moves is awake
   inTurns(world,
-          [&world](PileShare& share)
+          [&world, reach](PileShare& share)
           {
-            gatherShare(world, share);
+            gatherShare(world, share, reach);
             startTouches(world, share);
           });
 }

@@ -71,7 +71,7 @@ void linkWithBodies(WorldState& world, std::uint32_t i)
     for (std::size_t s = 0; s < world.bodies[b].boxes.size(); ++s)
     {
       if (!box.overlaps(world.bodies[b].boxes[s]) || linked(pile, i, b, s)) continue;
-      pile.bodies.push_back({i, pile.first_body[i], static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s), {}});
+      pile.bodies.push_back({i, pile.first_body[i], static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s)});
       pile.first_body[i] = static_cast<std::uint32_t>(pile.bodies.size() - 1);
     }
   }

@@ -33,7 +33,7 @@ static_assert(sizeof(Mover) == 64, "one cache line");
 struct alignas(64) Change
 {
   Eigen::Vector4f v = Eigen::Vector4f::Zero();    ///< of its velocity [m/s], and 1 / mass, 0 while asleep [1/kg]
-  Eigen::Vector4f rim = Eigen::Vector4f::Zero();  ///< of radius times spin [m/s], and 1 / (k mass)
+  Eigen::Vector4f rim = Eigen::Vector4f::Zero();  ///< of radius times spin [m/s], and 1 / (k mass) [1/kg]
   Eigen::Vector4f before = Eigen::Vector4f::Zero();  ///< radius times spin before the contacts [m/s], and 0
   Eigen::Vector4f p = Eigen::Vector4f::Zero();    ///< of its place, against overlap [m], and 0
 };

@@ -54,7 +54,7 @@ void linkMovingBodies(WorldState& world)
       const double near = size + pile.radius(i) + way + pile.h * pile.movers[i].v.norm() + pile.margin;
       if ((pile.movers[i].p - frame.p_WB).squaredNorm() > near * near) continue;
       for (std::size_t s = 0; s < body.body.shapes.size(); ++s)
-        pile.moving.push_back({i, Pile::kEndOfChain, static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s), {}});
+        pile.moving.push_back({i, Pile::kEndOfChain, static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s)});
     }
   }
 }
@@ -114,7 +114,7 @@ void setLength(Pile& pile, double h)
   if (pile.h == h) return;
   const float ratio = pile.h > 0.0 ? static_cast<float>(h / pile.h) : 0.0f;
   for (Lanes& push : pile.pushes) push *= ratio;
-  for (BodyLink& link : pile.bodies) link.push = {ratio * link.push.normal, ratio * link.push.tangent};
+  for (BodyLink& link : pile.bodies) link.push *= ratio;
   pile.h = h;
 }
 

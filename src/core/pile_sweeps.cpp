@@ -203,6 +203,14 @@ void putKinds(const WorldState& world, TouchBatch& batch, Lanes& reach)
   }
 }
 
+// With the impulses of the last step, which lie across the normal of this one.
+template <bool pairs>
+[[gnu::always_inline]] inline void begin(const FourBalls& balls, TouchBatch& batch)
+{
+  batch.tangent = batch.tangent - dot(batch.n, batch.tangent) * batch.n;
+  act<pairs>(balls, batch, batch.normal, batch.tangent);
+}
+
 // A touch may close its gap within the step and no more, and leaves an overlap that was there as it is.
 void startPairs(WorldState& world, TouchBatch& batch, const FoundPair* found)
 {
@@ -220,7 +228,7 @@ void startPairs(WorldState& world, TouchBatch& batch, const FoundPair* found)
   for (std::size_t k = 0; k < kLanes; ++k) its[k] = batch.has(k) ? &found[k] : &kNoPair;
   const LaneVectors way = vectorsOf({its[0]->way, its[1]->way, its[2]->way, its[3]->way}, room_at_end);
   const LaneVectors u = vectorsOf({its[0]->u, its[1]->u, its[2]->u, its[3]->u}, room_at_start);
-  const LaneVectors tangent = vectorsOf({its[0]->push, its[1]->push, its[2]->push, its[3]->push}, batch.normal);
+  batch.tangent = vectorsOf({its[0]->push, its[1]->push, its[2]->push, its[3]->push}, batch.normal);
   const Lanes overlap = -roomOf(room_at_start, reach);
   batch.n = (1.0f / squareRoot(dot(way, way))) * way;
   batch.slip = u - dot(batch.n, u) * batch.n - cross(sum<true>(balls, &Change::before), batch.n);
@@ -228,20 +236,13 @@ void startPairs(WorldState& world, TouchBatch& batch, const FoundPair* found)
   batch.normal_mass = 1.0f / light;
   batch.slip_mass = 1.0f / (light + give);
   takeOut(balls, batch, overlap);
-  batch.tangent = tangent - dot(batch.n, tangent) * batch.n;
-  act<true>(balls, batch, batch.normal, batch.tangent);
-}
-
-void startBodies(std::vector<Change>& changes, TouchBatch& batch)
-{
-  batch.tangent = batch.tangent - dot(batch.n, batch.tangent) * batch.n;
-  act<false>(FourBalls(changes, batch, false), batch, batch.normal, batch.tangent);
+  begin<true>(balls, batch);
 }
 }  // namespace
 
 void startTouches(WorldState& world, PileShare& share)
 {
-  for (TouchBatch& batch : share.body_batches) startBodies(world.pile.changes, batch);
+  for (TouchBatch& batch : share.body_batches) begin<false>(FourBalls(world.pile.changes, batch, false), batch);
   for (std::size_t k = 0; k < share.pair_batches.size(); ++k) startPairs(world, share.pair_batches[k], &share.found[kLanes * k]);
 }
 

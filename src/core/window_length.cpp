@@ -19,6 +19,9 @@ constexpr double kStep = 1.12;        // between lengths that are compared
 constexpr double kCut = 0.5;          // as much shorter than it should have been tells nothing of a length
 constexpr double kNobodyNear = 64.0;  // times longer, if no two boxes overlapped
 
+constexpr double kShare = 0.8;        // of the windows that would fit into a time: rather a bit longer than one more
+constexpr double kMostBusy = 4096.0;  // balls with an event in a window: more are a long way through memory
+
 constexpr double kLongestFirst = 1.0;  // [s]
 constexpr double kLeastRoom = 0.05;    // between neighbours at first, in diameters
 
@@ -46,8 +49,14 @@ void WindowLength::estimate(const WorldState& world)
   const double room = std::max(spacing - diameter, kLeastRoom * diameter);
   const double time = timeFor(room, std::sqrt(squared_speeds / n), world.scene.forces.gravity.norm());
   length_ = lasted_ = std::clamp(time, kShortest, kLongestFirst);
+  busy_ = 0.0;
   rate_ = std::numeric_limits<double>::infinity();
   longer_ = true;
+}
+
+double WindowLength::countIn(double time) const
+{
+  return std::ceil(std::max(kShare * time / length_, busy_ * time / kMostBusy));
 }
 
 // In the middle, in ratios, between what lasted and what did not; half of it at most.

@@ -3,6 +3,8 @@
 // lengths go up while that makes the work of a second less, else down.
 #pragma once
 
+#include <cstddef>
+
 namespace ping_pong
 {
 struct WorldState;
@@ -24,17 +26,22 @@ public:
   void estimate(const WorldState& world);
   /// Of the next window [s].
   double next() const { return length_; }
+  /// Of windows that share so long a time [s]: more if too much happens for one.
+  double countIn(double time) const;
 
   /// A window of this length was not worth its work; nothing of it was done [s].
   void tooLong(double tried);
   /// A window of this length was done [s].
   void done(double length, const WindowWork& work);
+  /// As many balls had an event in a window of this length [s].
+  void busy(double length, std::size_t balls) { busy_ = static_cast<double>(balls) / length; }
   /// It had to end after this time, whatever its length should have been [s].
   void cutTo(double length);
 
 private:
   double length_ = 1.0;
   double lasted_ = 1.0;       // length of the last window that was done
+  double busy_ = 0.0;    // balls with an event in it, by second
   double rate_ = 0.0;    // of its work
   bool longer_ = true;   // where the search goes
 };

@@ -224,7 +224,6 @@ struct IslandRecords
   };
 
   WindowLength length;                     ///< of the next window
-  double busy_per_second = 0.0;            ///< balls to which something happened, in the last one
   Outlook outlook;
   std::size_t first_contact = 0;           ///< of this window, in the world's list
   std::uint32_t runs = 0;                  ///< of all islands that are not settled, in this window
