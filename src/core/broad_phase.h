@@ -86,7 +86,7 @@ private:
   /// What cells are made for: some of the boxes stand for all.
   struct Sums
   {
-    static constexpr std::size_t kMost = 4096;  ///< boxes that are looked at, at most
+    static constexpr std::size_t kMost = 256;  ///< boxes that are looked at, at most
     double n = 0.0;
     std::array<double, 3> edge{}, edge_squared{}, low{}, low_squared{};
     std::array<double, 3> least{1e30, 1e30, 1e30}, greatest{-1e30, -1e30, -1e30};
