@@ -9,8 +9,9 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kCellsPerBox = 0.5;  // cells of the grid for each box, at most
-constexpr double kFinest = 0.5;       // edge of a cell, by the longest box in it
+constexpr double kCellsPerBox = 0.7;  // at most, but for empty ones at the border,
+constexpr double kMostCells = 1.5;    // and with these
+constexpr double kFewCells = 64.0;    // more than that
 constexpr double kManyCells = 64.0;   // a box over more cells than this is in no list of a cell
 constexpr double kSpread = 3.0;     // the grid covers so many standard deviations; boxes outside are in its outer cells
 constexpr double kLongEdges = 3.0;  // longer than the mean along an axis by so many standard deviations: in no cell
@@ -20,66 +21,98 @@ double deviation(double sum, double sum_of_squares, double n)
   const double mean = sum / n;
   return std::sqrt(std::max(sum_of_squares / n - mean * mean, 0.0));
 }
+
+int bitsFor(double count)
+{
+  int bits = 0;
+  while (std::ldexp(1.0, bits) < count) ++bits;
+  return bits;
+}
 }  // namespace
 
 void BroadPhase::reserve(std::size_t boxes)
 {
-  takeMemory(start_, static_cast<std::size_t>(kCellsPerBox * static_cast<double>(boxes)) + 64);
+  takeMemory(start_, static_cast<std::size_t>(kMostCells * static_cast<double>(boxes) + kFewCells) + 4);
   takeMemory(index_, boxes);
-  takeMemory(entries_, boxes);
+  takeMemory(range_, boxes);
+  takeMemory(placed_, boxes);
+  takeMemory(entries_, boxes + kLanes);
   takeMemory(last_link_, start_.capacity());
   takeMemory(links_, 16 * boxes);
   takeMemory(everywhere_, boxes);
 }
 
+// Cells are as long as the longest box in one, or longer: until there are not too many, and a corner has room for all.
 void BroadPhase::layOut(const Sums& sums, std::size_t count)
 {
-  const double n = std::max(sums.n, 1.0);
-  std::array<double, 3> width{}, longest{}, size{};
+  const double n = std::max(sums.n, 1.0), boxes = static_cast<double>(count);
+  std::array<double, 3> origin{}, width{}, size{};
   for (std::size_t i = 0; i < 3; ++i)
   {
-    longest[i] = sums.edge[i] / n + kLongEdges * deviation(sums.edge[i], sums.edge_squared[i], n) + 1e-9;
-    size[i] = kFinest * longest[i];
+    size[i] = sums.edge[i] / n + kLongEdges * deviation(sums.edge[i], sums.edge_squared[i], n) + 1e-9;
     const double mean = sums.low[i] / n, spread = kSpread * deviation(sums.low[i], sums.low_squared[i], n);
-    origin_[i] = sums.n > 0.0 ? std::max(sums.least[i], mean - spread) : 0.0;
-    width[i] = sums.n > 0.0 ? std::max(std::min(sums.greatest[i], mean + spread) - origin_[i], 0.0) : 0.0;
+    origin[i] = sums.n > 0.0 ? std::max(sums.least[i], mean - spread) : 0.0;
+    width[i] = sums.n > 0.0 ? std::max(std::min(sums.greatest[i], mean + spread) - origin[i], 0.0) : 0.0;
   }
-  // Fewer and larger cells, until there are not many more than boxes, and all corners have a number.
-  const double most_cells = static_cast<double>(kFieldMask) / kUnits - 2.0;
-  for (;; size = {1.125 * size[0], 1.125 * size[1], 1.125 * size[2]})
+  std::array<int, 3> cell_bits{};
+  for (;; size = {1.04 * size[0], 1.04 * size[1], 1.04 * size[2]})
   {
-    double cells = 1.0, longest_row = 0.0;
+    double inner = 1.0, cells = 1.0;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      cells *= std::floor(width[i] / size[i]) + 1.0;
-      longest_row = std::max(longest_row, width[i] / size[i]);
+      const double row = std::floor(width[i] / size[i]) + 1.0;
+      inner *= row;
+      cells *= row + 2.0;
+      cell_bits[i] = bitsFor(row + 2.0);
     }
-    if (cells <= kCellsPerBox * static_cast<double>(count) + 1.0 && longest_row < most_cells) break;
+    if (inner > kCellsPerBox * boxes + 1.0 || cells > kMostCells * boxes + kFewCells) continue;
+    if (cell_bits[0] + cell_bits[1] + cell_bits[2] + 3 * kLeastUnitBits <= kPlaceBits) break;
   }
-  longest_ = 0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    units_per_metre_[i] = kUnits / size[i];
-    longest_ |= (static_cast<Corner>(std::ceil(std::min(longest[i] * units_per_metre_[i], 1e6))) + 1) << (kField * static_cast<int>(i));
-    count_[i] = static_cast<int>(width[i] / size[i]) + 1;
-    last_[i] = kUnits * count_[i] - 1;
+    axes_[i].cells = static_cast<int>(width[i] / size[i]) + 3;
+    axes_[i].origin = origin[i] - size[i];
+    axes_[i].units_per_metre = 1.0 / size[i];
   }
-  entries_.resize(count);
+  layOutCorners(cell_bits);
+  placed_.resize(count);
+  range_.resize(count);
   index_.resize(count);
+  entries_.resize(count + kLanes);
 }
 
-bool BroadPhase::fits(const Extent& extent) const
+// What bits are left after the numbers of cells are for units in them.
+void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
 {
-  const Corner edges = (extent.high & ~kBorrows) - extent.low;  // of each axis: none borrows
-  return (((longest_ | kBorrows) - edges) & kBorrows) == kBorrows;
+  const int left = kPlaceBits - cell_bits[0] - cell_bits[1] - cell_bits[2];
+  int shift = 0;
+  borrows_ = longest_ = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    Axis& axis = axes_[i];
+    axis.shift = shift;
+    axis.unit_bits = (left + static_cast<int>(i)) / 3;
+    const double units = std::ldexp(1.0, axis.unit_bits);
+    axis.units_per_metre *= units;
+    axis.first = units;
+    axis.last = units * (axis.cells - 1) - 1.0;
+    const int bits = cell_bits[i] + axis.unit_bits;
+    axis.mask = (Corner{1} << bits) - 1;
+    borrows_ |= Corner{1} << (shift + bits);
+    longest_ |= Corner{1} << (shift + axis.unit_bits);
+    shift += bits + 1;
+  }
+  row_ = static_cast<std::size_t>(axes_[0].cells);
+  layer_ = row_ * static_cast<std::size_t>(axes_[1].cells);
+  cells_ = layer_ * static_cast<std::size_t>(axes_[2].cells);
 }
 
 void BroadPhase::addToLists(const Extent& extent, std::uint32_t index)
 {
-  const Cell first = cellAt(extent.low), last = cellAt(extent.high);
+  const Cell first = cellAt(extent.low()), last = cellAt(extent.high);
   const double cells = (last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0);
   if (cells > kManyCells) return everywhere_.push_back({extent, index, kNoLink});
-  if (links_.empty()) last_link_.assign(start_.size(), kNoLink);
+  if (links_.empty()) last_link_.assign(cells_, kNoLink);
   eachCell(first, last,
            [&](int x, int y, int z)
            {
@@ -89,46 +122,24 @@ void BroadPhase::addToLists(const Extent& extent, std::uint32_t index)
            });
 }
 
-// The cell, or one of two more ranges after the last cell: of those in no cell, and of the empty ones.
-std::size_t BroadPhase::rangeOf(const Extent& extent) const
-{
-  const std::size_t cells = start_.size() - 3;
-  return extent.low == kEmpty ? cells + 1 : fits(extent) ? cellOf(extent.low) : cells;
-}
-
 void BroadPhase::sort()
 {
   count(Law::BroadPhase);
   links_.clear();
   everywhere_.clear();
-  start_.assign(cell(0, 0, count_[2]) + 3, 0);
-  for (const Extent& extent : entries_) ++start_[rangeOf(extent)];
+  start_.assign(cells_ + 3, 0);
+  for (const std::uint32_t range : range_) ++start_[range];
   std::uint32_t total = 0;
   for (std::uint32_t& start : start_)
     start = total += start;  // ends of the ranges; filled from behind they become starts
-  for (std::size_t i = entries_.size(); i-- > 0;) index_[--start_[rangeOf(entries_[i])]] = static_cast<std::uint32_t>(i);
-  in_cells_ = start_[start_.size() - 3];
-  boxes_ = start_[start_.size() - 2];
-  // Entries follow: each hole is filled by who belongs there, until a cycle is closed.
-  for (std::size_t p = 0; p < entries_.size(); ++p)
+  for (std::size_t i = range_.size(); i-- > 0;)
   {
-    if (entries_[p].low & kMoved)
-    {
-      entries_[p].low &= ~kMoved;
-      continue;
-    }
-    const Extent first = entries_[p];
-    std::size_t hole = p;
-    for (std::size_t from = index_[p]; from != p; hole = from, from = index_[from])
-    {
-      entries_[hole] = entries_[from];
-      entries_[hole].low |= kMoved;
-    }
-    entries_[hole] = first;
-    if (hole == p) continue;
-    entries_[hole].low |= kMoved;
-    entries_[p].low &= ~kMoved;
+    const std::uint32_t place = --start_[range_[i]];
+    index_[place] = static_cast<std::uint32_t>(i);
+    entries_[place] = placed_[i];
   }
+  in_cells_ = start_[cells_];
+  boxes_ = start_[cells_ + 1];
   for (std::size_t p = in_cells_; p < boxes_; ++p) addToLists(entries_[p], index_[p]);
 }
 }  // namespace ping_pong

@@ -1,6 +1,6 @@
-// Which boxes overlap: a uniform grid, made for many small balls of about one size. A box is in the cell of its lower corner,
-// and no longer than so many cells along each axis: where others that overlap it begin is known to the cell. The few that
-// are longer, and those that come later, are in lists of all cells that they reach.
+// Which boxes overlap: a uniform grid, made for many small balls of about one size. A box is in the cell of its lower corner and
+// no longer than a cell, so that it overlaps only what is in the 27 cells around. The few that are longer, and those that come
+// later, are in lists of all cells that they reach.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "box.h"
+#include "lanes.h"
 #include "workers.h"
 
 namespace ping_pong
@@ -18,6 +19,9 @@ namespace ping_pong
 class BroadPhase
 {
 public:
+  static constexpr std::uint32_t kAdded = 1u << 31;  ///< of the index of a box that was added
+  using Pair = std::array<std::uint32_t, 2>;         ///< indices of boxes
+
   void reserve(std::size_t boxes);
 
   /// Sorts `count` boxes into cells: `box(i)` is that of i, by any worker, and for some asked twice.
@@ -33,10 +37,20 @@ public:
 
   /// Those that are not empty, in the order of their cells.
   std::size_t boxes() const { return boxes_; }
-  /// Calls action(a, b) with the indices of every two boxes that overlap, in no order; of all pairs that share of which
-  /// [begin, end) is of boxes(). Shares that cover boxes() once give each pair once.
+  /// Calls action(pairs, how_many), for some pairs at a time, with every two boxes that overlap, in no order; of all pairs
+  /// that share of which [begin, end) is of boxes(). Shares that cover boxes() once give each pair once.
   template <class Action>
-  void eachPair(std::size_t begin, std::size_t end, const Action& action) const;
+  void eachPairs(std::size_t begin, std::size_t end, const Action& action) const;
+  /// Calls action(a, b) with every two of all.
+  template <class Action>
+  void eachPair(const Action& action) const
+  {
+    eachPairs(0, boxes_,
+              [&action](const Pair* pairs, std::size_t count)
+              {
+                for (std::size_t p = 0; p < count; ++p) action(pairs[p][0], pairs[p][1]);
+              });
+  }
 
   /// Until the boxes are sorted again this one is there, too, under an index of the caller's.
   template <class AnyBox>
@@ -44,37 +58,47 @@ public:
   {
     if (!box.empty()) addToLists(extentOf(box), index | kAdded);
   }
-  /// Calls action(index, added) for each that overlaps this box, once; `added` is true for those that were.
-  template <class AnyBox, class Action>
-  void eachOverlapping(const AnyBox& box, const Action& action) const;
+  /// Appends the index of each that overlaps this box, once, with kAdded for those that were.
+  template <class AnyBox>
+  void listOverlapping(const AnyBox& box, std::vector<std::uint32_t>& list) const;
 
 private:
   static constexpr std::uint32_t kNoLink = ~0u;
-  static constexpr std::uint32_t kAdded = 1u << 31;  ///< of an index
-  static constexpr int kUnitBits = 6;
-  static constexpr int kUnits = 1 << kUnitBits;  ///< of length in a cell
-  static constexpr int kBits = 20;               ///< of a place in units, along each axis
+  static constexpr int kPlaceBits = 29;      ///< of the three places in a corner,
+  static constexpr int kLeastUnitBits = 2;   ///< of which along each axis at least so many are of units in a cell
 
-  /// A place in units from the origin of the grid, x, y and z in one number, below a bit that is zero each. What is
-  /// beyond the grid is on its border.
-  using Corner = std::uint64_t;
-  static constexpr int kField = kBits + 1;
-  static constexpr Corner kFieldMask = (Corner{1} << kBits) - 1;
-  static constexpr Corner kBorrows =
-      Corner{1} << kBits | Corner{1} << (kField + kBits) | Corner{1} << (2 * kField + kBits);
-  static constexpr Corner kMoved = Corner{1} << 63;  ///< of a low corner, while entries are sorted
-  static constexpr Corner kEmpty = ~kMoved;          ///< instead of a low corner
-  static int field(Corner corner, int axis) { return static_cast<int>(corner >> (kField * axis) & kFieldMask); }
+  /// A place in units from the origin of the grid: x, y and z in one number, each below a bit that is zero. What is beyond
+  /// the grid is on its border.
+  using Corner = std::uint32_t;
+  using Corners = Corner __attribute__((vector_size(16)));
 
-  /// Of a box, its high corner with all of kBorrows.
+  /// Of a grid along one axis, and of its places in a corner. Its first and its last cell are empty.
+  struct Axis
+  {
+    double origin = 0.0, units_per_metre = 1.0;
+    double first = 0.0, last = 0.0;  ///< least and greatest place [units]
+    int cells = 3;
+    int shift = 0;                   ///< of a place in a corner
+    int unit_bits = 0;               ///< its lowest ones: units in a cell
+    Corner mask = 0;                 ///< of a place, once it is shifted down
+
+    int cellOf(Corner corner) const { return static_cast<int>((corner >> shift & mask) >> unit_bits); }
+  };
+  /// Of a box: less its low corner, so that sums are differences, and its high corner with all of borrows_.
   struct Extent
   {
-    Corner low, high;
-    /// All three subtractions at once: none borrows if no coordinate is less than the other.
-    bool overlaps(const Extent& other) const
-    {
-      return ((high - other.low) & (other.high - low) & kBorrows) == kBorrows;
-    }
+    Corner minus_low, high;
+
+    Corner low() const { return 0u - minus_low; }
+  };
+  static_assert(sizeof(Extent) == 8, "two of them in a vector");
+  /// An extent that many are compared with.
+  struct Question
+  {
+    Extent extent;
+    Corners both;  ///< what to add to two extents
+
+    explicit Question(const Extent& its) : extent(its), both{its.high, its.minus_low, its.high, its.minus_low} {}
   };
   struct Listed
   {
@@ -96,56 +120,54 @@ private:
   };
 
   void layOut(const Sums& sums, std::size_t count);
+  void layOutCorners(const std::array<int, 3>& cell_bits);
   template <class AnyBox>
   Corner cornerAt(const AnyBox& p) const;  ///< rounded down, high corners too: what overlaps still does
   template <class AnyBox>
   Extent extentOf(const AnyBox& box) const;
   bool fits(const Extent& extent) const;  ///< in a cell
-  std::size_t rangeOf(const Extent& extent) const;
-  static Cell cellAt(Corner corner)
-  {
-    return {field(corner, 0) >> kUnitBits, field(corner, 1) >> kUnitBits, field(corner, 2) >> kUnitBits};
-  }
-  /// Where the first one that overlaps this box may begin.
-  Cell firstBefore(Corner low) const
-  {
-    const auto before = [&](int axis) { return std::max(field(low, axis) - field(longest_, axis), 0) >> kUnitBits; };
-    return {before(0), before(1), before(2)};
-  }
   std::size_t cell(int x, int y, int z) const
   {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(count_[1]) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(count_[0]) +
-           static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(z) * layer_ + static_cast<std::size_t>(y) * row_ + static_cast<std::size_t>(x);
   }
-  std::size_t cellOf(Corner low) const
+  Cell cellAt(Corner corner) const { return {axes_[0].cellOf(corner), axes_[1].cellOf(corner), axes_[2].cellOf(corner)}; }
+  std::size_t cellOf(Corner corner) const
   {
-    const Cell c = cellAt(low);
-    return cell(c[0], c[1], c[2]);
+    const Cell its = cellAt(corner);
+    return cell(its[0], its[1], its[2]);
   }
+  /// All three subtractions at once: none borrows if no coordinate is less than the other.
+  bool overlap(const Extent& a, const Extent& b) const
+  {
+    return ((a.high + b.minus_low) & (b.high + a.minus_low) & borrows_) == borrows_;
+  }
+  LaneMask overlaps(const Extent* entries, const Question& question) const;  ///< four of them
   template <class Action>
-  static void eachRow(const Cell& first, const Cell& last, const Action& action);  ///< action(y, z)
-  template <class Action>
-  static void eachCell(const Cell& first, const Cell& last, const Action& action);  ///< action(x, y, z)
-  template <class Action>
-  void eachFrom(std::size_t begin, std::size_t end, const Extent& extent, const Action& action) const;
-  template <class Action>
-  void eachInRows(const Cell& first, const Cell& last, const Extent& extent, const Action& action) const;
-  template <class Action>
-  void eachInCells(const Extent& extent, const Action& action) const;
-  void addToLists(const Extent& extent, std::uint32_t index);
-  template <class Action>
-  void eachListed(const Extent& extent, const Action& action) const;
+  void eachCell(const Cell& first, const Cell& last, const Action& action) const;  ///< action(x, y, z)
 
-  std::array<double, 3> origin_{};
-  std::array<double, 3> units_per_metre_{1.0, 1.0, 1.0};
-  std::array<double, 3> last_{};                ///< greatest coordinates, in units
-  Corner longest_ = 0;                          ///< edges of a box in a cell, in units
-  std::array<int, 3> count_{1, 1, 1};           ///< of cells
+  // Calling take(index) for each that overlaps:
+  template <class Take>
+  void takeFrom(std::size_t begin, std::size_t end, const Question& question, const Take& take) const;
+  template <class Take>
+  void takeFromRow(std::size_t cell, const Question& question, const Take& take) const;  ///< of three cells
+  template <class Take>
+  void takeAround(std::size_t cell, const Question& question, const Take& take) const;
+  template <class Take>
+  void takeFromCells(const Extent& extent, const Take& take) const;
+  template <class Take>
+  void takeFromLists(const Extent& extent, const Take& take) const;
+  void addToLists(const Extent& extent, std::uint32_t index);
+
+  std::array<Axis, 3> axes_;
+  Corner borrows_ = 0;                          ///< the bits between places
+  Corner longest_ = 0;                          ///< edges of a cell
+  std::size_t row_ = 3, layer_ = 9, cells_ = 27;  ///< cells
   std::size_t boxes_ = 0;                       ///< that are not empty
   std::size_t in_cells_ = 0;                    ///< of these; those that are too long come after them
-  std::vector<std::uint32_t> start_;            ///< of each cell in entries_
-  std::vector<Extent> entries_;                 ///< by index, once they are sorted by cell
+  std::vector<Extent> placed_;                  ///< by index
+  std::vector<std::uint32_t> range_;            ///< of each: its cell, cells_ if it is in none, or one more if it is empty
+  std::vector<std::uint32_t> start_;            ///< of each range in entries_
+  std::vector<Extent> entries_;                 ///< by range; some more after them, to be read but not told
   std::vector<std::uint32_t> index_;            ///< of each entry
   std::vector<std::uint32_t> last_link_;        ///< of each cell
   std::vector<Listed> links_;
@@ -201,9 +223,9 @@ BroadPhase::Corner BroadPhase::cornerAt(const AnyBox& p) const
   Corner corner = 0;
   for (int i = 0; i < 3; ++i)
   {
-    const auto axis = static_cast<std::size_t>(i);
-    const double units = (p[i] - origin_[axis]) * units_per_metre_[axis];
-    corner |= static_cast<Corner>(static_cast<std::int32_t>(std::max(std::min(units, last_[axis]), 0.0))) << (kField * i);
+    const Axis& axis = axes_[static_cast<std::size_t>(i)];
+    const double units = (p[i] - axis.origin) * axis.units_per_metre;
+    corner |= static_cast<Corner>(static_cast<std::int32_t>(std::max(std::min(units, axis.last), axis.first))) << axis.shift;
   }
   return corner;
 }
@@ -211,103 +233,143 @@ BroadPhase::Corner BroadPhase::cornerAt(const AnyBox& p) const
 template <class AnyBox>
 BroadPhase::Extent BroadPhase::extentOf(const AnyBox& box) const
 {
-  return {cornerAt(box.low), cornerAt(box.high) | kBorrows};
+  return {0u - cornerAt(box.low), cornerAt(box.high) | borrows_};
+}
+
+inline bool BroadPhase::fits(const Extent& extent) const
+{
+  const Corner edges = (extent.high & ~borrows_) + extent.minus_low;  // of each axis: none borrows
+  return (((longest_ | borrows_) - edges) & borrows_) == borrows_;
 }
 
 template <class AnyBox>
 void BroadPhase::put(std::uint32_t index, const AnyBox& box)
 {
-  entries_[index] = box.empty() ? Extent{kEmpty, 0} : extentOf(box);
+  std::size_t range = cells_ + 1;
+  if (!box.empty())
+  {
+    const Extent extent = placed_[index] = extentOf(box);
+    range = fits(extent) ? cellOf(extent.low()) : cells_;
+  }
+  range_[index] = static_cast<std::uint32_t>(range);
 }
 
-template <class Action>
-void BroadPhase::eachFrom(std::size_t begin, std::size_t end, const Extent& extent, const Action& action) const
+inline LaneMask BroadPhase::overlaps(const Extent* entries, const Question& question) const
 {
-  for (std::size_t q = begin; q < end; ++q)
-    if (entries_[q].overlaps(extent)) action(index_[q]);
+  Corners two, others;
+  std::memcpy(&two, entries, sizeof(two));
+  std::memcpy(&others, entries + 2, sizeof(others));
+  two += question.both;
+  others += question.both;
+  const Corners borrows{borrows_, borrows_, borrows_, borrows_};
+  return (pick<0, 2, 4, 6>(two, others) & pick<1, 3, 5, 7>(two, others) & borrows) == borrows;
 }
 
 template <class Action>
-void BroadPhase::eachRow(const Cell& first, const Cell& last, const Action& action)
+void BroadPhase::eachCell(const Cell& first, const Cell& last, const Action& action) const
 {
   for (int z = first[2]; z <= last[2]; ++z)
-    for (int y = first[1]; y <= last[1]; ++y) action(y, z);
+    for (int y = first[1]; y <= last[1]; ++y)
+      for (int x = first[0]; x <= last[0]; ++x) action(x, y, z);
+}
+
+template <class Take>
+inline void BroadPhase::takeFrom(std::size_t begin, std::size_t end, const Question& question, const Take& take) const
+{
+  for (std::size_t q = begin; q < end; q += kLanes)
+  {
+    const LaneMask overlap = overlaps(entries_.data() + q, question);
+    if (!anyLane(overlap)) continue;
+    for (std::size_t k = 0; k < kLanes; ++k)
+      if (overlap[k] != 0 && q + k < end) take(index_[q + k]);
+  }
+}
+
+template <class Take>
+inline void BroadPhase::takeFromRow(std::size_t cell, const Question& question, const Take& take) const
+{
+  takeFrom(start_[cell - 1], start_[cell + 2], question, take);
+}
+
+template <class Take>
+void BroadPhase::takeAround(std::size_t cell, const Question& question, const Take& take) const
+{
+  const std::size_t lowest = cell - layer_ - row_;
+  for (std::size_t z = 0; z < 3; ++z)
+    for (std::size_t y = 0; y < 3; ++y) __builtin_prefetch(entries_.data() + start_[lowest + z * layer_ + y * row_ - 1]);
+  for (std::size_t z = 0; z < 3; ++z)
+    for (std::size_t y = 0; y < 3; ++y) takeFromRow(lowest + z * layer_ + y * row_, question, take);
+}
+
+template <class Take>
+void BroadPhase::takeFromCells(const Extent& extent, const Take& take) const
+{
+  const Question question(extent);
+  const Cell low = cellAt(extent.low()), high = cellAt(extent.high);
+  if (fits(extent)) return takeAround(cell(low[0], low[1], low[2]), question, take);
+  for (int z = low[2] - 1; z <= high[2]; ++z)
+    for (int y = low[1] - 1; y <= high[1]; ++y) takeFrom(start_[cell(low[0] - 1, y, z)], start_[cell(high[0], y, z) + 1], question, take);
 }
 
 template <class Action>
-void BroadPhase::eachCell(const Cell& first, const Cell& last, const Action& action)
+void BroadPhase::eachPairs(std::size_t begin, std::size_t end, const Action& action) const
 {
-  eachRow(first, last,
-          [&](int y, int z)
-          {
-            for (int x = first[0]; x <= last[0]; ++x) action(x, y, z);
-          });
-}
-
-template <class Action>
-void BroadPhase::eachInRows(const Cell& first, const Cell& last, const Extent& extent, const Action& action) const
-{
-  eachRow(first, last,
-          [&](int y, int z) { eachFrom(start_[cell(first[0], y, z)], start_[cell(last[0], y, z) + 1], extent, action); });
-}
-
-template <class Action>
-void BroadPhase::eachInCells(const Extent& extent, const Action& action) const
-{
-  const Cell first = firstBefore(extent.low), last = cellAt(extent.high);
-  eachRow(first, last, [&](int y, int z) { __builtin_prefetch(entries_.data() + start_[cell(first[0], y, z)]); });
-  eachInRows(first, last, extent, action);
-}
-
-template <class Action>
-void BroadPhase::eachPair(std::size_t begin, std::size_t end, const Action& action) const
-{
+  std::array<Pair, 16> pairs;
+  std::size_t count = 0;
+  std::uint32_t own = 0;
+  const auto take = [&](std::uint32_t other)
+  {
+    pairs[count] = {own, other};
+    if (++count < pairs.size()) return;
+    action(pairs.data(), count);
+    count = 0;
+  };
   for (std::size_t p = begin; p < std::min(end, in_cells_); ++p)
   {
-    const Extent extent = entries_[p];
-    const auto pairUp = [&, index = index_[p]](std::uint32_t other) { action(index, other); };
-    // Of two boxes the one whose cell comes first looks for the other: further on in its row, in rows behind, in layers above.
-    const Cell own = cellAt(extent.low), first = firstBefore(extent.low), last = cellAt(extent.high);
-    eachFrom(p + 1, start_[cell(last[0], own[1], own[2]) + 1], extent, pairUp);
-    eachInRows({first[0], own[1] + 1, own[2]}, {last[0], last[1], own[2]}, extent, pairUp);
-    eachInRows({first[0], first[1], own[2] + 1}, last, extent, pairUp);
+    const Question question(entries_[p]);
+    const std::size_t cell = cellOf(question.extent.low());
+    own = index_[p];
+    // Of two boxes the one whose cell comes first looks for the other: further on in its row, in the row behind, in the layer above.
+    takeFrom(p + 1, start_[cell + 2], question, take);
+    takeFromRow(cell + row_, question, take);
+    for (std::size_t y = 0; y < 3; ++y) takeFromRow(cell + layer_ - row_ + y * row_, question, take);
   }
   for (std::size_t p = std::max(begin, in_cells_); p < end; ++p)
   {
-    const Extent extent = entries_[p];
-    const auto pairUp = [&, index = index_[p]](std::uint32_t other) { action(index, other); };
-    eachInCells(extent, pairUp);
-    eachFrom(p + 1, boxes_, extent, pairUp);
+    own = index_[p];
+    takeFromCells(entries_[p], take);
+    takeFrom(p + 1, boxes_, Question(entries_[p]), take);
   }
+  action(pairs.data(), count);
 }
 
-template <class Action>
-void BroadPhase::eachListed(const Extent& extent, const Action& action) const
+template <class Take>
+void BroadPhase::takeFromLists(const Extent& extent, const Take& take) const
 {
-  const auto tell = [&](const Listed& box) { action(box.index & ~kAdded, (box.index & kAdded) != 0); };
   for (const Listed& box : everywhere_)
-    if (box.extent.overlaps(extent)) tell(box);
+    if (overlap(box.extent, extent)) take(box.index);
   if (links_.empty()) return;
-  const Cell first = cellAt(extent.low), last = cellAt(extent.high);
-  const auto tellOf = [&](int x, int y, int z)
+  const Cell first = cellAt(extent.low()), last = cellAt(extent.high);
+  const auto takeFromList = [&](int x, int y, int z)
   {
     for (std::uint32_t link = last_link_[cell(x, y, z)]; link != kNoLink; link = links_[link].next)
     {
       const Listed& box = links_[link];
-      if (!box.extent.overlaps(extent)) continue;
-      const Cell its = cellAt(box.extent.low);  // of all cells that both are in, the first one tells
-      if (x == std::max(first[0], its[0]) && y == std::max(first[1], its[1]) && z == std::max(first[2], its[2])) tell(box);
+      if (!overlap(box.extent, extent)) continue;
+      const Cell its = cellAt(box.extent.low());  // of all cells that both are in, the first one tells
+      if (x == std::max(first[0], its[0]) && y == std::max(first[1], its[1]) && z == std::max(first[2], its[2])) take(box.index);
     }
   };
-  eachCell(first, last, tellOf);
+  eachCell(first, last, takeFromList);
 }
 
-template <class AnyBox, class Action>
-void BroadPhase::eachOverlapping(const AnyBox& box, const Action& action) const
+template <class AnyBox>
+void BroadPhase::listOverlapping(const AnyBox& box, std::vector<std::uint32_t>& list) const
 {
   if (box.empty()) return;
   const Extent extent = extentOf(box);
-  eachInCells(extent, [&](std::uint32_t index) { action(index, false); });
-  eachListed(extent, action);
+  const auto take = [&list](std::uint32_t index) { list.push_back(index); };
+  takeFromCells(extent, take);
+  takeFromLists(extent, take);
 }
 }  // namespace ping_pong

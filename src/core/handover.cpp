@@ -53,7 +53,7 @@ void spread(WorldState& world, double start, double end)
   for (std::size_t first = 0; first < islands.near.size(); ++first)
   {
     islands.found.clear();
-    islands.broad_phase.eachOverlapping(islands.near_boxes[first], [&](std::uint32_t k, bool) { islands.found.push_back(k); });
+    islands.broad_phase.listOverlapping(islands.near_boxes[first], islands.found);
     std::sort(islands.found.begin(), islands.found.end());
     for (const std::uint32_t k : islands.found)
     {
@@ -130,11 +130,8 @@ void joinPile(WorldState& world, double start, double end)
   islands.broad_phase.build(world.balls.size(), boxOfFree, world.workers);
   islands.near.clear();
   for (const std::uint32_t piled : world.pile.ball)
-  {
-    islands.broad_phase.eachOverlapping(boxAround(world.balls[piled], start, end), [&](std::uint32_t other, bool) {
-      if (!world.balls[other].away()) islands.near.push_back(other);
-    });
-  }
+    islands.broad_phase.listOverlapping(boxAround(world.balls[piled], start, end), islands.near);
+  islands.near.erase(std::remove_if(islands.near.begin(), islands.near.end(), [&](std::uint32_t i) { return world.balls[i].away(); }), islands.near.end());
   std::sort(islands.near.begin(), islands.near.end());
   islands.near.erase(std::unique(islands.near.begin(), islands.near.end()), islands.near.end());
   islands.near_boxes.clear();

@@ -66,8 +66,8 @@ Lanes lanesOf(const Vector& v, double last)
 }
 
 /// Four of the eight numbers of a and b, by their indices.
-template <int i, int j, int k, int l>
-Lanes pick(Lanes a, Lanes b)
+template <int i, int j, int k, int l, class Vector>
+Vector pick(Vector a, Vector b)
 {
 #ifdef __clang__
   return __builtin_shufflevector(a, b, i, j, k, l);

@@ -57,30 +57,12 @@ void eachBall(WorldState& world, const Window& window, const Action& action)
                      });
 }
 
-// Pairs that wait to be looked at while what is known of them comes through memory.
-class Pairs
+void lookAtPairs(const WorldState& world, const Window& window, const BroadPhase::Pair* pairs, std::size_t count)
 {
-public:
-  Pairs(WorldState& world, const Window& window) : world_(world), window_(window) {}
-  void add(std::uint32_t a, std::uint32_t b)
-  {
-    world_.islands.glances.fetch(a);
-    world_.islands.glances.fetch(b);
-    waiting_[count_++] = {a, b};
-    if (count_ == waiting_.size()) lookAtAll();
-  }
-  void lookAtAll()
-  {
-    for (std::size_t p = 0; p < count_; ++p) lookAtPair(world_, window_, waiting_[p][0], waiting_[p][1]);
-    count_ = 0;
-  }
-
-private:
-  WorldState& world_;
-  const Window window_;
-  std::array<std::array<std::uint32_t, 2>, 16> waiting_;
-  std::size_t count_ = 0;
-};
+  for (std::size_t p = 0; p < count; ++p)
+    for (const std::uint32_t i : pairs[p]) world.islands.glances.fetch(i);
+  for (std::size_t p = 0; p < count; ++p) lookAtPair(world, window, pairs[p][0], pairs[p][1]);
+}
 
 void gatherDue(IslandRecords& islands)
 {
@@ -148,9 +130,9 @@ void flyAnew(WorldState& world, const Window& window)
   world.workers.each(grid.boxes(), kBalls,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
-                       Pairs pairs(world, ofWorker(world, window, worker));
-                       grid.eachPair(begin, end, [&](std::uint32_t a, std::uint32_t b) { pairs.add(a, b); });
-                       pairs.lookAtAll();
+                       const Window its = ofWorker(world, window, worker);
+                       grid.eachPairs(begin, end, [&](const BroadPhase::Pair* pairs, std::size_t count)
+                                      { lookAtPairs(world, its, pairs, count); });
                      });
 }
 

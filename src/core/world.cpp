@@ -274,7 +274,7 @@ std::vector<char> World::Impl::ballsThatOverlap()
   if (balls.size() < kManyBalls) return overlapping;
   BroadPhase& grid = islands.broad_phase;  // of the next window: its memory is there
   grid.build(balls.size(), [&](std::size_t i) { return boxOf(balls[i], time, time); }, workers);
-  grid.eachPair(0, grid.boxes(), [&](std::uint32_t a, std::uint32_t b) {
+  grid.eachPair([&](std::uint32_t a, std::uint32_t b) {
     if (spheresOverlap(balls[a], balls[b], time)) overlapping[a] = overlapping[b] = true;
   });
   return overlapping;

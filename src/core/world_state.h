@@ -253,17 +253,12 @@ struct IslandRecords
   template <class AnyBox, class Action>
   void eachNear(std::uint32_t i, const AnyBox& box, std::vector<std::uint32_t>& list, const Action& action) const
   {
-    constexpr std::uint32_t kAdded = 1u << 31;
     list.clear();
-    broad_phase.eachOverlapping(box,
-                                [&](std::uint32_t k, bool added)
-                                {
-                                  glances.fetch(k);
-                                  list.push_back(added ? k | kAdded : k);
-                                });
+    broad_phase.listOverlapping(box, list);
+    for (const std::uint32_t entry : list) glances.fetch(entry & ~BroadPhase::kAdded);
     for (const std::uint32_t entry : list)
     {
-      const std::uint32_t k = entry & ~kAdded;
+      const std::uint32_t k = entry & ~BroadPhase::kAdded;
       if (k != i && (entry != k || !glances[k].added)) action(k);
     }
   }

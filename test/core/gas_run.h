@@ -74,7 +74,7 @@ inline double deepestOverlap(const World& world, double edge)
   Workers alone;
   BroadPhase broad_phase;
   broad_phase.build(boxes.size(), [&](std::size_t i) { return boxes[i]; }, alone);
-  broad_phase.eachPair(0, broad_phase.boxes(), [&](std::uint32_t a, std::uint32_t b) {
+  broad_phase.eachPair([&](std::uint32_t a, std::uint32_t b) {
     deepest = std::max(deepest, 2.0 * kR - (positionOf(world, a) - positionOf(world, b)).norm());
   });
   return deepest;

@@ -50,10 +50,33 @@ std::vector<CoarseBox> someBoxes(std::size_t count, unsigned seed)
   return boxes;
 }
 
+// A gas: many cells, and few boxes that are longer than one.
+std::vector<CoarseBox> evenBoxes(std::size_t count, unsigned seed)
+{
+  Random random(seed);
+  const double spacing = 1.0 / std::cbrt(static_cast<double>(count));
+  std::vector<CoarseBox> boxes;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Vector3d low = random.vector(0.0, 1.0);
+    boxes.emplace_back(Box{low, low + random.vector(0.0, i % 20 == 0 ? 4.0 * spacing : spacing)});
+  }
+  return boxes;
+}
+
 // The grid rounds: what it takes for a pair has to be looked at.
 void build(BroadPhase& broad_phase, const std::vector<CoarseBox>& boxes, Workers& workers)
 {
   broad_phase.build(boxes.size(), [&](std::size_t i) { return boxes[i]; }, workers);
+}
+
+// Calls action(index, added).
+template <class Action>
+void eachOverlapping(const BroadPhase& broad_phase, const CoarseBox& box, const Action& action)
+{
+  std::vector<std::uint32_t> list;
+  broad_phase.listOverlapping(box, list);
+  for (const std::uint32_t entry : list) action(entry & ~BroadPhase::kAdded, (entry & BroadPhase::kAdded) != 0);
 }
 
 Pairs everyPair(const std::vector<CoarseBox>& boxes)
@@ -72,17 +95,24 @@ TEST(BroadPhase, FindsEveryPairOnceInSharesOfAnySize)
     Workers workers;
     workers.start(threads);
     BroadPhase broad_phase;
-    for (const std::size_t count : {1, 2, 5, 40, 300, 2000})
+    for (const std::size_t count : {1, 2, 5, 40, 300, 2000, 2001})
     {
-      const std::vector<CoarseBox> boxes = someBoxes(count, static_cast<unsigned>(count));
+      const auto seed = static_cast<unsigned>(count);
+      const std::vector<CoarseBox> boxes = count % 2 == 0 ? someBoxes(count, seed) : evenBoxes(count, seed);
       build(broad_phase, boxes, workers);
       const std::size_t share = 1 + broad_phase.boxes() / threads;
       Pairs pairs, told;
       for (std::size_t begin = 0; begin < broad_phase.boxes(); begin += share)
-        broad_phase.eachPair(begin, std::min(begin + share, broad_phase.boxes()), [&](std::uint32_t a, std::uint32_t b) {
-          EXPECT_TRUE(told.insert({std::min(a, b), std::max(a, b)}).second) << "told twice";
-          if (boxes[a].overlaps(boxes[b])) pairs.insert({std::min(a, b), std::max(a, b)});
-        });
+        broad_phase.eachPairs(begin, std::min(begin + share, broad_phase.boxes()),
+                              [&](const BroadPhase::Pair* some, std::size_t how_many)
+                              {
+                                for (std::size_t p = 0; p < how_many; ++p)
+                                {
+                                  const auto [a, b] = std::minmax(some[p][0], some[p][1]);
+                                  EXPECT_TRUE(told.insert({a, b}).second) << "told twice";
+                                  if (boxes[a].overlaps(boxes[b])) pairs.insert({a, b});
+                                }
+                              });
       EXPECT_EQ(pairs, everyPair(boxes)) << count;
     }
   }
@@ -102,7 +132,7 @@ TEST(BroadPhase, HardlyTakesOthersForPairs)
   BroadPhase broad_phase;
   build(broad_phase, boxes, alone);
   std::size_t told = 0;
-  broad_phase.eachPair(0, broad_phase.boxes(), [&](std::uint32_t, std::uint32_t) { ++told; });
+  broad_phase.eachPair([&](std::uint32_t, std::uint32_t) { ++told; });
   const std::size_t pairs = everyPair(boxes).size();
   measured("pairs told, by pairs that overlap", static_cast<double>(told) / static_cast<double>(pairs));
   EXPECT_LT(told, pairs + pairs / 10);
@@ -143,12 +173,12 @@ TEST(CoarseBox, IsNeverSmallerAndHardlyLarger)
 std::set<std::uint32_t> addedNear(const BroadPhase& broad_phase, const CoarseBox& box)
 {
   std::set<std::uint32_t> told;
-  broad_phase.eachOverlapping(box,
-                              [&](std::uint32_t i, bool added)
-                              {
-                                if (!added) return;
-                                EXPECT_TRUE(told.insert(i).second) << "told twice";
-                              });
+  eachOverlapping(broad_phase, box,
+                  [&](std::uint32_t i, bool added)
+                  {
+                    if (!added) return;
+                    EXPECT_TRUE(told.insert(i).second) << "told twice";
+                  });
   return told;
 }
 
@@ -189,7 +219,7 @@ TEST(BroadPhase, LooksAtFewOfManyAddedBoxes)
   build(broad_phase, boxes, alone);
   for (std::uint32_t i = 0; i < boxes.size(); ++i) broad_phase.add(i, boxes[i]);
   std::size_t looked_at = 0;
-  for (const CoarseBox& box : boxes) broad_phase.eachOverlapping(box, [&](std::uint32_t, bool added) { looked_at += added; });
+  for (const CoarseBox& box : boxes) eachOverlapping(broad_phase, box, [&](std::uint32_t, bool added) { looked_at += added; });
   measured("added boxes looked at, of 5000", static_cast<double>(looked_at) / 5000.0);
   EXPECT_LT(looked_at / 5000, 250u);
 }
@@ -198,21 +228,26 @@ TEST(BroadPhase, FindsWhoOverlapsABoxThatWasNotThere)
 {
   Workers alone;
   BroadPhase broad_phase;
-  const std::vector<CoarseBox> boxes = someBoxes(500, 3);
-  build(broad_phase, boxes, alone);
-  for (const CoarseBox& box : someBoxes(200, 4))
+  for (const std::vector<CoarseBox>& boxes : {someBoxes(500, 3), evenBoxes(2000, 3)})
   {
-    std::set<std::uint32_t> told, found, expected;
-    broad_phase.eachOverlapping(box,
-                                [&](std::uint32_t i, bool added)
-                                {
-                                  EXPECT_FALSE(added);
-                                  EXPECT_TRUE(told.insert(i).second) << "told twice";
-                                  if (boxes[i].overlaps(box)) found.insert(i);
-                                });
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-      if (boxes[i].overlaps(box)) expected.insert(i);
-    EXPECT_EQ(found, expected);
+    build(broad_phase, boxes, alone);
+    std::vector<CoarseBox> asked = someBoxes(200, 4);
+    const std::vector<CoarseBox> even = evenBoxes(2000, 4);
+    asked.insert(asked.end(), even.begin(), even.begin() + 200);
+    for (const CoarseBox& box : asked)
+    {
+      std::set<std::uint32_t> told, found, expected;
+      eachOverlapping(broad_phase, box,
+                      [&](std::uint32_t i, bool added)
+                      {
+                        EXPECT_FALSE(added);
+                        EXPECT_TRUE(told.insert(i).second) << "told twice";
+                        if (boxes[i].overlaps(box)) found.insert(i);
+                      });
+      for (std::uint32_t i = 0; i < boxes.size(); ++i)
+        if (boxes[i].overlaps(box)) expected.insert(i);
+      EXPECT_EQ(found, expected);
+    }
   }
 }
 
