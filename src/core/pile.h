@@ -198,9 +198,9 @@ void restatePile(WorldState& world, std::uint32_t ball);
 void clearPile(Pile& pile);
 /// Takes the memory for so many balls now, not while the world moves on.
 void reservePile(Pile& pile, std::size_t balls, bool constant_forces);
-/// Turns by a rotation vector [rad]: closed form, without trigonometry where it is short.
-void turnBall(Quaterniond& q, const Vector3d& turn);
-/// Puts the state of a ball into its record.
+/// Turns the ball by what it has turned since it was last told: closed form, without trigonometry where that is little.
+void takeTurn(Pile& pile, std::size_t slot);
+/// Puts the state of a ball into its record, after takeTurn().
 void storeBall(WorldState& world, std::size_t slot, double time);
 /// Wakes up balls that touch a sphere, or nearly.
 void wakeNear(Pile& pile, const Vector3d& p_WB, double radius);

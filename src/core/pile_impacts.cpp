@@ -18,7 +18,8 @@ constexpr int kMostImpacts = 15;     // of one ball in one step; what is left is
 void fork(Pile& pile, std::size_t i, const BallState& state, double t)
 {
   Mover& mover = pile.movers[i];
-  if (!pile.w[i].isZero(0.0)) turnBall(pile.q[i], (t - mover.clock) * pile.w[i]);
+  pile.turn[i] += (t - mover.clock) * pile.w[i];
+  takeTurn(pile, i);  // about another axis from now on
   const Vector3d a = pile.pathAcceleration(i);
   mover.v = state.v_WB - t * a;
   pile.w[i] = state.w_WB;

@@ -66,6 +66,7 @@ void take(WorldState& world, std::size_t slot, double time)
   pile.w[slot] = state.w_WB;
   pile.changes[slot] = Change();
   pile.q[slot] = state.q_WB;
+  pile.turn[slot].setZero();
   pile.still[slot] = pile.untouched[slot] = 0.0f;
   pile.links_void = true;
 }

@@ -47,7 +47,8 @@ struct PileSlots
   std::vector<std::uint32_t> ball;      ///< its index in WorldState::balls
   std::vector<Mover> movers;
   std::vector<Vector3d> w;              ///< spin [rad/s]
-  std::vector<Quaterniond> q;
+  std::vector<Quaterniond> q;           ///< but for
+  std::vector<Vector3d> turn;           ///< what it has turned since, as a rotation vector [rad]
   std::vector<Change> changes;
   std::vector<std::uint32_t> swept;     ///< the sweep over touches that last changed it, on the counter of the pile
   std::vector<std::uint8_t> pushed;     ///< in this step: kCarried, kTouched or both
@@ -63,9 +64,9 @@ struct PileSlots
 template <typename Action>
 void eachSlotList(PileSlots& slots, bool with_a, const Action& action)
 {
-  auto& [ball, movers, w, q, changes, swept, pushed, a, home, sweep, anchor, still, untouched] = slots;  // does not compile if one is left out
+  auto& [ball, movers, w, q, turn, changes, swept, pushed, a, home, sweep, anchor, still, untouched] = slots;  // does not compile if one is left out
   const auto each = [&action](auto&... lists) { (action(lists), ...); };
-  each(ball, movers, w, q, changes, swept, pushed, home, sweep, anchor, still, untouched);
+  each(ball, movers, w, q, turn, changes, swept, pushed, home, sweep, anchor, still, untouched);
   if (with_a) action(a);
 }
 

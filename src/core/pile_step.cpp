@@ -68,7 +68,7 @@ void turn(Pile& pile, std::size_t i)
   mover.impacts = 0;
   if (w.isZero(0.0)) return;
   const double decay = pile.kinds[mover.kind].model.spinDecay();
-  turnBall(pile.q[i], decay > 0.0 ? turnIn(w, decay, left) : Vector3d(left * w));
+  pile.turn[i] += decay > 0.0 ? turnIn(w, decay, left) : Vector3d(left * w);
   if (decay > 0.0) w *= std::exp(-decay * pile.h);
 }
 
@@ -142,8 +142,12 @@ void step(WorldState& world, double start, double h)
 }
 }  // namespace
 
-void turnBall(Quaterniond& q, const Vector3d& turn)
+void takeTurn(Pile& pile, std::size_t slot)
 {
+  const Vector3d turn = pile.turn[slot];
+  if (turn.isZero(0.0)) return;
+  Quaterniond& q = pile.q[slot];
+  pile.turn[slot].setZero();
   const double x = 0.25 * turn.squaredNorm();  // of half the angle, squared
   if (x > 1e-2)
   {
@@ -173,6 +177,7 @@ void runPile(WorldState& world, double start, double end, double longest_step)
             {
               for (const std::uint32_t i : share.awake)
               {
+                takeTurn(pile, i);
                 storeBall(world, i, end);
                 world.balls[pile.ball[i]].asleep = false;
               }
