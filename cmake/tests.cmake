@@ -91,6 +91,7 @@ foreach(name
     properties
     validation
     shots
+    quiet_time
     keys
 )
   add_core_test(${name})
@@ -99,6 +100,9 @@ endforeach()
 foreach(name allocations pooled)
   target_sources(${PROJECT_NAME}_test_${name} PRIVATE test/core/allocations.cpp)
 endforeach()
+
+target_sources(${PROJECT_NAME}_test_quiet_time PRIVATE bench/crowd/quiet_time.cpp)
+target_include_directories(${PROJECT_NAME}_test_quiet_time PRIVATE bench/crowd)
 
 add_core_test(chart)
 add_dependencies(${PROJECT_NAME}_test_chart ${PROJECT_NAME}_chart)

@@ -170,8 +170,8 @@ def seconds(time):
 
 
 def tray_table(rows, balls):
-    text = ["| engine | wall time of a simulated second | of the costliest | simulated | deepest overlap | escaped | at rest after |",
-            "| --- | --- | --- | --- | --- | --- | --- |"]
+    text = ["| engine | wall time of a simulated second | of the costliest | simulated | runs | deepest overlap | escaped | at rest after |",
+            "| --- | --- | --- | --- | --- | --- | --- | --- |"]
     for threads, line, points in [(n, *its) for n in (1.0, 2.0) for its in lines_of(rows, "tray", n).items()]:
         for p in points:
             if p["balls"] != balls:
@@ -179,7 +179,7 @@ def tray_table(rows, balls):
             wall = 1e-6 * p["cost_us"] * balls
             # A run that was cut short may not have a whole second.
             worst = f"{1e-6 * p['most_cost_us'] * balls:.2g} s" if p["most_cost_us"] > 0.0 else ""
-            text.append(f"| {name(line)}{', two threads' if threads > 1.0 else ''} | {wall:.2g} s | {worst} | {p['simulated_s']:.2g} s | {size(p['overlap_m'])} | {p['escaped']:.0f} | "
+            text.append(f"| {name(line)}{', two threads' if threads > 1.0 else ''} | {wall:.2g} s | {worst} | {p['simulated_s']:.2g} s | {p['runs']:.0f} | {size(p['overlap_m'])} | {p['escaped']:.0f} | "
                         f"{seconds(p['rest_after_s'])} |")
     return "\n".join(text)
 
@@ -197,7 +197,7 @@ def tray_section(about, rows):
     return f"""## A tray is filled
 
 {balls:.0f} balls fall into a tray and come to rest ten layers deep; e = 0.8, friction 0.3. "At rest": no ball is faster than 10 mm/s from then on.
-A run that would take more than a minute is cut short, after a quarter of a simulated second or more: its cost is that of the fall, before balls lie on each other. `scripts/crowd --tray --peers` measures this table alone.
+A run that would take more than a minute is cut short, after a quarter of a simulated second or more: its cost is that of the fall, before balls lie on each other. Runs were repeated for three quarters of a minute. `scripts/crowd --tray --peers` measures this table alone.
 
 {tray_table(rows, balls)}
 
@@ -241,8 +241,9 @@ holds `gas` against kinetic theory; [ros.md](ros.md#topics) says what RViz is to
 
 ## The chart
 
-`scripts/crowd --peers` measures and writes this page. Every point is a process of its own, the cheapest of up to three runs, ticks of 10 ms, no output. A line ends where a
-point would take more than a minute. Dotted: what a core can carry in real time. Others with their default settings, at steps of 5 ms (broken lines) and 1 ms.
+`scripts/crowd --peers` measures and writes this page. Every point is a process of its own, ticks of 10 ms, no output. It runs again and again, up to 40
+times or for ten seconds; every run does the same work, and of each tick the least time counts: others on the machine can only add to it. A line ends where a
+run would take more than a minute. Dotted: what a core can carry in real time. Others with their default settings, at steps of 5 ms (broken lines) and 1 ms.
 
 ![Cost, memory and impacts against the number of balls](chart/crowd.svg)
 
@@ -263,7 +264,8 @@ whoever has loaded it, and the list of states to look at. Of few balls it is tha
 
 {threads_table(rows)}
 
-The result is the same, bit by bit; [crowds.md](crowds.md#threads) says how the work is shared.
+The result is the same, bit by bit, in every run. Both threads need a core of their own at the same time; where the machine gives
+parts of its cores to others, as the one below does, that is rare, and what is shown is the least that two threads gain. [crowds.md](crowds.md#threads) says how the work is shared.
 
 ## Soundness beside cost
 
@@ -278,7 +280,7 @@ Crowd, {most(rows, "crowd"):.0f} balls, after a second. Here energy is lost in i
 A ball is 40 mm wide.
 
 {tray}{about.get("machine", "?")}, {about.get("compiler", "?")}, commit {about.get("commit", "?")}. Load of the
-machine at the start: {about.get("load", "?")}; anything but 0 makes times longer, up to twice at a load of 4 on 2 cores.
+machine at the start: {about.get("load", "?")}.
 """
     with open(os.path.join(docs, "crowd_cost.md"), "w", encoding="utf-8") as file:
         file.write(text)

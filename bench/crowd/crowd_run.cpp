@@ -18,8 +18,6 @@ namespace ping_pong::bench
 {
 namespace
 {
-constexpr int kSecond = 100;    // ticks
-constexpr double kTick = 0.01;  // [s]: a picture or a message a hundred times a second
 constexpr int kLooks = 10;
 constexpr double kRest = 0.01;  // slower is rest [m/s]
 
@@ -94,8 +92,8 @@ std::shared_ptr<const Scene> sceneOf(const CrowdPoint& point, const CrowdScene& 
 class Run
 {
 public:
-  Run(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort)
-    : crowd_(crowd), effort_(effort), begin_(now()), shared_(sceneOf(point, crowd, balls)), scene_(*shared_), states_(balls)
+  Run(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort, std::size_t ticks)
+    : crowd_(crowd), effort_(effort), exactly_(ticks), begin_(now()), shared_(sceneOf(point, crowd, balls)), scene_(*shared_), states_(balls)
   {
     const double start = now();
     if (point.engine->name == "ping_pong_sim")
@@ -108,6 +106,7 @@ public:
     result_.wall = now() - begin_;
   }
   const CrowdResult& result() const { return result_; }
+  const std::vector<double>& ticks() const { return ticks_; }
 
 private:
   void measure()
@@ -115,29 +114,22 @@ private:
     const double energy = look().energy;
     for (double t = 0.0; t < crowd_.warm_up - 0.5 * kTick; t += kTick) engine_->advance(kTick);
     if (ours_) ours_->contacts = ours_->events = 0.0;
-    const int ticks = static_cast<int>(std::lround(crowd_.longest / kTick));
-    double spent = 0.0, second = 0.0;
-    int done = 0;
-    while (done < ticks)
+    const auto longest = static_cast<std::size_t>(std::lround(crowd_.longest / kTick));
+    const std::size_t most = exactly_ > 0 ? exactly_ : longest;
+    double spent = 0.0;
+    while (ticks_.size() < most)
     {
       const double tick = now();
       engine_->advance(kTick);
-      second += now() - tick;
-      ++done;
-      if (done % std::max(1, ticks / kLooks) == 0 || !crowd_.steady) lookForRest(done * kTick);
-      if (done % kSecond == 0 || done == ticks)
-      {
-        result_.most_cost = std::max(result_.most_cost, second);
-        spent += second;
-        second = 0.0;
-      }
+      ticks_.push_back(now() - tick);
+      spent += ticks_.back();
+      if (ticks_.size() % std::max<std::size_t>(1, longest / kLooks) == 0 || !crowd_.steady) lookForRest(simulated());
+      if (exactly_ > 0) continue;
       if (now() - begin_ > effort_.most) break;
-      if (crowd_.steady && spent + second > effort_.steady) break;
+      if (crowd_.steady && spent > effort_.steady) break;
     }
-    spent += second;
-    result_.simulated = done * kTick;
-    result_.done = crowd_.steady || done == ticks || (crowd_.enough > 0.0 && result_.simulated >= crowd_.enough - 0.5 * kTick);
-    result_.cost = spent / result_.simulated;
+    result_.simulated = simulated();
+    result_.done = crowd_.steady || ticks_.size() == most || (crowd_.enough > 0.0 && simulated() >= crowd_.enough - 0.5 * kTick);
     const Soundness end = look();
     result_.bytes = memory_.bytes();
     result_.energy_change = end.energy / energy - 1.0;
@@ -147,6 +139,8 @@ private:
     result_.events = ours_->events / result_.simulated;
     result_.hash = ours_->hash();
   }
+
+  double simulated() const { return kTick * static_cast<double>(ticks_.size()); }
 
   // The memory that looking takes is not the engine's.
   Soundness look()
@@ -168,18 +162,54 @@ private:
 
   const CrowdScene& crowd_;
   const CrowdEffort& effort_;
+  std::size_t exactly_;  // ticks
   double begin_;
   std::shared_ptr<const Scene> shared_;
   const Scene& scene_;
   std::vector<BallState> states_;
   std::unique_ptr<Engine> engine_;
   OurCrowd* ours_ = nullptr;
+  std::vector<double> ticks_;
   PeakMemory memory_;  // from here on: what loading took is not the engine's
   CrowdResult result_;
 };
+
+// Any number of bytes through a pipe; false if the other end is gone.
+bool put(int end, const void* bytes, std::size_t count)
+{
+  const char* from = static_cast<const char*>(bytes);
+  for (ssize_t written; count > 0; from += written, count -= static_cast<std::size_t>(written))
+    if ((written = write(end, from, count)) <= 0) return false;
+  return true;
+}
+
+bool get(int end, void* bytes, std::size_t count)
+{
+  char* to = static_cast<char*>(bytes);
+  for (ssize_t had; count > 0; to += had, count -= static_cast<std::size_t>(had))
+    if ((had = read(end, to, count)) <= 0) return false;
+  return true;
+}
+
+bool tell(int end, const CrowdResult& result, const std::vector<double>& ticks)
+{
+  const std::size_t count = ticks.size();
+  return put(end, &result, sizeof result) && put(end, &count, sizeof count) && put(end, ticks.data(), count * sizeof(double));
+}
+
+// Of a process that ended before it had told all: not done.
+CrowdRun hear(int end)
+{
+  CrowdRun run;
+  std::size_t count = 0;
+  bool heard = get(end, &run.result, sizeof run.result) && get(end, &count, sizeof count);
+  if (heard) run.ticks.resize(count);
+  heard = heard && get(end, run.ticks.data(), count * sizeof(double));
+  return heard ? run : CrowdRun();
+}
 }  // namespace
 
-CrowdResult measureCrowd(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort)
+CrowdRun measureCrowd(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort, std::size_t ticks)
 {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) throw std::runtime_error("no pipe");
@@ -188,23 +218,21 @@ CrowdResult measureCrowd(const CrowdPoint& point, const CrowdScene& crowd, std::
   if (child == 0)
   {
     alarm(static_cast<unsigned>(2.0 * effort.most) + 1);  // one tick alone may take for ever
-    CrowdResult result;
+    bool told = false;
     try
     {
-      result = Run(point, crowd, balls, effort).result();
+      const Run run(point, crowd, balls, effort, ticks);
+      told = tell(pipe_ends[1], run.result(), run.ticks());
     }
     catch (const std::exception&)
     {
-      result = CrowdResult();
     }
-    const bool told = write(pipe_ends[1], &result, sizeof result) == static_cast<ssize_t>(sizeof result);
     _exit(told ? 0 : 1);
   }
   close(pipe_ends[1]);
-  CrowdResult result;
-  if (read(pipe_ends[0], &result, sizeof result) != static_cast<ssize_t>(sizeof result)) result = CrowdResult();
+  const CrowdRun run = hear(pipe_ends[0]);
   close(pipe_ends[0]);
   waitpid(child, nullptr, 0);
-  return result;
+  return run;
 }
 }  // namespace ping_pong::bench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "../engine.h"
 #include "crowd_scene.h"
@@ -21,8 +22,6 @@ struct CrowdResult
   bool done = false;            ///< else nothing below counts
   double start = 0.0;           ///< wall time from scene to engine [s]
   double simulated = 0.0;       ///< measured part [s]
-  double cost = 0.0;            ///< wall time per simulated second [s]
-  double most_cost = 0.0;       ///< the same for the costliest whole second
   double wall = 0.0;            ///< all of the process [s]
   double bytes = 0.0;           ///< peak memory of engine and run
   double contacts = 0.0;        ///< per simulated second; of our own engine
@@ -34,11 +33,23 @@ struct CrowdResult
   std::uint64_t hash = 0;       ///< of the end; of our own engine
 };
 
+/// A point is a process.
+struct CrowdRun
+{
+  CrowdResult result;
+  std::vector<double> ticks;    ///< wall time of each [s]
+};
+
 struct CrowdEffort
 {
   double steady = 2.0;     ///< wall time to measure where any part will do [s]
-  double most = 60.0;      ///< wall time that a point may take in all [s]
+  double most = 60.0;      ///< wall time that a run may take in all [s]
+  double repeat = 10.0;    ///< wall time that a point may take before it is not run again [s]
 };
 
-CrowdResult measureCrowd(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort);
+constexpr double kTick = 0.01;  ///< [s]: a picture or a message a hundred times a second
+
+/// @param ticks  to measure, exactly; 0: as many as the effort allows
+CrowdRun measureCrowd(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort,
+                      std::size_t ticks = 0);
 }  // namespace ping_pong::bench

@@ -9,17 +9,21 @@
 
 #include "../results_file.h"
 #include "crowd_run.h"
+#include "quiet_time.h"
 
 namespace ping_pong::bench
 {
 namespace
 {
 constexpr std::size_t kWorthSharing = 1000;  // balls among threads
+constexpr std::size_t kSecond = 100;         // ticks
+constexpr std::size_t kMostRuns = 40;
 
 struct Options
 {
   std::string out, scene, commit = "unknown";
   double balls = 0.0;  // only this number; 0: a row of them
+  CrowdEffort effort;
   bool quick = false;
 };
 
@@ -39,8 +43,11 @@ Options parse(int argc, char** argv)
       options.scene = argv[++i];
     else if (std::strcmp(argv[i], "--balls") == 0 && !last)
       options.balls = std::stod(argv[++i]);
+    else if (std::strcmp(argv[i], "--repeat") == 0 && !last)
+      options.effort.repeat = std::stod(argv[++i]);
     else
-      throw std::runtime_error(std::string(argv[i]) + ": expected --quick, --scene NAME, --balls N, --out FILE or --commit NAME");
+      throw std::runtime_error(std::string(argv[i]) +
+                               ": expected --quick, --scene NAME, --balls N, --repeat SECONDS, --out FILE or --commit NAME");
   }
   if (options.out.empty()) throw std::runtime_error("--out: missing: expected the CSV file to write");
   return options;
@@ -73,26 +80,41 @@ std::string loadNow()
   return load;
 }
 
-void writeRow(std::FILE* file, const CrowdScene& scene, const CrowdPoint& point, std::size_t balls, const CrowdResult& r)
+/// What several runs tell, which differ in nothing but time.
+struct Measured
 {
+  CrowdResult result;
+  QuietTime time;
+
+  double cost() const { return time.total() / result.simulated; }  ///< wall time per simulated second [s]
+};
+
+void writeRow(std::FILE* file, const CrowdScene& scene, const CrowdPoint& point, std::size_t balls, const Measured& measured)
+{
+  const CrowdResult& r = measured.result;
   const double n = static_cast<double>(balls);
-  std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%016llx\n", scene.name.c_str(),
+  std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%zu,%016llx\n", scene.name.c_str(),
                point.engine->name.c_str(), point.variant.c_str(), point.variant == "exact" ? 0.0 : point.step, point.threads, balls, r.done,
-               r.start, r.simulated, 1e6 * r.cost / n, r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap,
-               r.escaped, 1e6 * r.most_cost / n, r.rest_after, static_cast<unsigned long long>(r.hash));
+               r.start, r.simulated, r.done ? 1e6 * measured.cost() / n : 0.0, r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap,
+               r.escaped, 1e6 * measured.time.mostOf(kSecond) / n, r.rest_after, measured.time.runs(), static_cast<unsigned long long>(r.hash));
   std::fflush(file);
 }
 
-/// The cheapest of a few runs: noise of the machine only adds.
-CrowdResult bestOf(const CrowdPoint& point, const CrowdScene& scene, std::size_t balls, const CrowdEffort& effort, int runs)
+/// Again and again, until that tells no more.
+Measured measure(const CrowdPoint& point, const CrowdScene& scene, std::size_t balls, const CrowdEffort& effort)
 {
-  CrowdResult best = measureCrowd(point, scene, balls, effort);
-  for (int i = 1; i < runs && best.done && best.wall < 0.25 * effort.most; ++i)
+  CrowdRun run = measureCrowd(point, scene, balls, effort);
+  Measured measured{run.result, {}};
+  if (!run.result.done) return measured;
+  measured.time.add(run.ticks);
+  for (double wall = run.result.wall; wall < effort.repeat && measured.time.runs() < kMostRuns && !measured.time.settled(); wall += run.result.wall)
   {
-    const CrowdResult other = measureCrowd(point, scene, balls, effort);
-    if (other.done && other.cost < best.cost) best = other;
+    run = measureCrowd(point, scene, balls, effort, run.ticks.size());
+    if (!run.result.done) break;
+    if (run.result.hash != measured.result.hash) throw std::runtime_error(scene.name + ": two runs ended in different states");
+    measured.time.add(run.ticks);
   }
-  return best;
+  return measured;
 }
 
 void measureAll(const Options& options)
@@ -103,9 +125,8 @@ void measureAll(const Options& options)
   std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(),
                from.compiler.c_str(), from.commit.c_str(), loadNow().c_str());
   std::fprintf(file, "scene,engine,variant,step,threads,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"
-                     "overlap_m,escaped,most_cost_us,rest_after_s,hash\n");
-  CrowdEffort effort;
-  if (options.quick) effort = {0.1, 5.0};
+                     "overlap_m,escaped,most_cost_us,rest_after_s,runs,hash\n");
+  const CrowdEffort effort = options.quick ? CrowdEffort{0.1, 5.0, 0.0} : options.effort;
   const std::size_t most = options.quick ? 1000 : 100000;
   for (const CrowdScene& scene : crowdScenes())
   {
@@ -117,11 +138,12 @@ void measureAll(const Options& options)
         const auto balls = static_cast<std::size_t>(n + 0.5);
         if (point.threads > 1 && balls < kWorthSharing) continue;
         if (!point.engine->refuse(crowdOf(scene, balls), point.variant).empty()) break;
-        const CrowdResult result = bestOf(point, scene, balls, effort, options.quick ? 1 : 3);
-        writeRow(file, scene, point, balls, result);
-        std::fprintf(stderr, "%s %s %s %g, %zu threads, %zu balls: %.4g us per ball and simulated second%s\n", scene.name.c_str(),
+        const Measured measured = measure(point, scene, balls, effort);
+        const CrowdResult& result = measured.result;
+        writeRow(file, scene, point, balls, measured);
+        std::fprintf(stderr, "%s %s %s %g, %zu threads, %zu balls: %.4g us per ball and simulated second, %zu runs%s\n", scene.name.c_str(),
                      point.engine->name.c_str(), point.variant.c_str(), point.step, point.threads, balls,
-                     1e6 * result.cost / static_cast<double>(balls), result.done ? "" : ", not done");
+                     result.done ? 1e6 * measured.cost() / static_cast<double>(balls) : 0.0, measured.time.runs(), result.done ? "" : ", not done");
         if (!result.done || options.balls > 0.0 || 4.0 * result.wall > effort.most) break;  // more would take too long
       }
   }
