@@ -197,7 +197,7 @@ def tray_section(about, rows):
     return f"""## A tray is filled
 
 {balls:.0f} balls fall into a tray and come to rest ten layers deep; e = 0.8, friction 0.3. "At rest": no ball is faster than 10 mm/s from then on.
-A run that would take more than a minute is cut short, after a quarter of a simulated second or more: its cost is that of the fall, before balls lie on each other. Runs were repeated for three quarters of a minute. `scripts/crowd --tray --peers` measures this table alone.
+A run that would take more than a minute is cut short, after a quarter of a simulated second or more: its cost is that of the fall, before balls lie on each other. Shorter runs were repeated. `scripts/crowd --tray --peers` measures this table alone.
 
 {tray_table(rows, balls)}
 
@@ -241,9 +241,9 @@ holds `gas` against kinetic theory; [ros.md](ros.md#topics) says what RViz is to
 
 ## The chart
 
-`scripts/crowd --peers` measures and writes this page. Every point is a process of its own, ticks of 10 ms, no output. It runs again and again, up to 40
-times or for ten seconds; every run does the same work, and of each tick the least time counts: others on the machine can only add to it. A line ends where a
-run would take more than a minute. Dotted: what a core can carry in real time. Others with their default settings, at steps of 5 ms (broken lines) and 1 ms.
+`scripts/crowd --peers` measures and writes this page. Every point is a process of its own, ticks of 10 ms, no output. All points are run
+in turn, up to eight times if a run takes less than a quarter of a minute; every run of a point does the same work, and of each tick the least time counts: others on the machine can only add to it.
+A line ends where a run would take more than a minute. Dotted: what a core can carry in real time. Others with their default settings, at steps of 5 ms (broken lines) and 1 ms.
 
 ![Cost, memory and impacts against the number of balls](chart/crowd.svg)
 

@@ -42,9 +42,8 @@ struct CrowdRun
 
 struct CrowdEffort
 {
-  double steady = 2.0;     ///< wall time to measure where any part will do [s]
+  double steady = 1.0;     ///< wall time to measure where any part will do [s]
   double most = 60.0;      ///< wall time that a run may take in all [s]
-  double repeat = 10.0;    ///< wall time that a point may take before it is not run again [s]
 };
 
 constexpr double kTick = 0.01;  ///< [s]: a picture or a message a hundred times a second

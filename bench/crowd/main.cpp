@@ -17,13 +17,12 @@ namespace
 {
 constexpr std::size_t kWorthSharing = 1000;  // balls among threads
 constexpr std::size_t kSecond = 100;         // ticks
-constexpr std::size_t kMostRuns = 40;
 
 struct Options
 {
   std::string out, scene, commit = "unknown";
   double balls = 0.0;  // only this number; 0: a row of them
-  CrowdEffort effort;
+  int rounds = 8;
   bool quick = false;
 };
 
@@ -43,11 +42,11 @@ Options parse(int argc, char** argv)
       options.scene = argv[++i];
     else if (std::strcmp(argv[i], "--balls") == 0 && !last)
       options.balls = std::stod(argv[++i]);
-    else if (std::strcmp(argv[i], "--repeat") == 0 && !last)
-      options.effort.repeat = std::stod(argv[++i]);
+    else if (std::strcmp(argv[i], "--rounds") == 0 && !last)
+      options.rounds = std::stoi(argv[++i]);
     else
       throw std::runtime_error(std::string(argv[i]) +
-                               ": expected --quick, --scene NAME, --balls N, --repeat SECONDS, --out FILE or --commit NAME");
+                               ": expected --quick, --scene NAME, --balls N, --rounds N, --out FILE or --commit NAME");
   }
   if (options.out.empty()) throw std::runtime_error("--out: missing: expected the CSV file to write");
   return options;
@@ -80,73 +79,93 @@ std::string loadNow()
   return load;
 }
 
-/// What several runs tell, which differ in nothing but time.
+/// A point with so many balls, and what its runs tell, which differ in nothing but time.
 struct Measured
 {
-  CrowdResult result;
-  QuietTime time;
+  const CrowdScene* scene;
+  CrowdPoint point;
+  std::size_t balls;
+  CrowdResult result{};
+  QuietTime time{};
 
   double cost() const { return time.total() / result.simulated; }  ///< wall time per simulated second [s]
 };
 
-void writeRow(std::FILE* file, const CrowdScene& scene, const CrowdPoint& point, std::size_t balls, const Measured& measured)
+void writeRow(std::FILE* file, const Measured& measured)
 {
   const CrowdResult& r = measured.result;
-  const double n = static_cast<double>(balls);
-  std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%zu,%016llx\n", scene.name.c_str(),
-               point.engine->name.c_str(), point.variant.c_str(), point.variant == "exact" ? 0.0 : point.step, point.threads, balls, r.done,
+  const CrowdPoint& point = measured.point;
+  const double n = static_cast<double>(measured.balls);
+  std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%zu,%016llx\n", measured.scene->name.c_str(),
+               point.engine->name.c_str(), point.variant.c_str(), point.variant == "exact" ? 0.0 : point.step, point.threads, measured.balls, r.done,
                r.start, r.simulated, r.done ? 1e6 * measured.cost() / n : 0.0, r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap,
                r.escaped, 1e6 * measured.time.mostOf(kSecond) / n, r.rest_after, measured.time.runs(), static_cast<unsigned long long>(r.hash));
-  std::fflush(file);
 }
 
-/// Again and again, until that tells no more.
-Measured measure(const CrowdPoint& point, const CrowdScene& scene, std::size_t balls, const CrowdEffort& effort)
+void tell(const Measured& measured)
 {
-  CrowdRun run = measureCrowd(point, scene, balls, effort);
-  Measured measured{run.result, {}};
-  if (!run.result.done) return measured;
-  measured.time.add(run.ticks);
-  for (double wall = run.result.wall; wall < effort.repeat && measured.time.runs() < kMostRuns && !measured.time.settled(); wall += run.result.wall)
-  {
-    run = measureCrowd(point, scene, balls, effort, run.ticks.size());
-    if (!run.result.done) break;
-    if (run.result.hash != measured.result.hash) throw std::runtime_error(scene.name + ": two runs ended in different states");
-    measured.time.add(run.ticks);
-  }
-  return measured;
+  const double cost = measured.result.done ? 1e6 * measured.cost() / static_cast<double>(measured.balls) : 0.0;
+  std::fprintf(stderr, "%s %s %s %g, %zu threads, %zu balls, run %zu: %.4g us per ball and simulated second%s\n",
+               measured.scene->name.c_str(), measured.point.engine->name.c_str(), measured.point.variant.c_str(), measured.point.step,
+               measured.point.threads, measured.balls, measured.time.runs(), cost, measured.result.done ? "" : ", not done");
 }
 
+void measureFirst(Measured& measured, const CrowdEffort& effort)
+{
+  const CrowdRun run = measureCrowd(measured.point, *measured.scene, measured.balls, effort);
+  measured.result = run.result;
+  if (run.result.done) measured.time.add(run.ticks);
+  tell(measured);
+}
+
+void measureAgain(Measured& measured, const CrowdEffort& effort)
+{
+  const CrowdRun run = measureCrowd(measured.point, *measured.scene, measured.balls, effort, measured.time.ticks());
+  if (!run.result.done) return;
+  if (run.result.hash != measured.result.hash) throw std::runtime_error(measured.scene->name + ": two runs ended in different states");
+  measured.time.add(run.ticks);
+  tell(measured);
+}
+
+/// All points once: of each engine ever more balls, as long as they do not take too long.
+std::vector<Measured> measureFirst(const Options& options, const CrowdEffort& effort)
+{
+  std::vector<Measured> all;
+  const double most = options.quick ? 1000.0 : 100000.0;
+  for (const CrowdScene& scene : crowdScenes())
+  {
+    if (!options.scene.empty() && scene.name != options.scene) continue;
+    for (const CrowdPoint& point : points(scene))
+      for (double n = options.balls > 0.0 ? options.balls : scene.fewest; n <= 1.0001 * most; n *= std::sqrt(10.0))
+      {
+        const auto balls = static_cast<std::size_t>(n + 0.5);
+        if (point.threads > 1 && balls < kWorthSharing) continue;
+        if (!point.engine->refuse(crowdOf(scene, balls), point.variant).empty()) break;
+        Measured& measured = all.emplace_back(Measured{&scene, point, balls});
+        measureFirst(measured, effort);
+        if (!measured.result.done || options.balls > 0.0 || 4.0 * measured.result.wall > effort.most) break;  // more would take too long
+      }
+  }
+  return all;
+}
+
+/// Round after round, so that whoever else uses the machine for a while does not do so at the cost of one point.
 void measureAll(const Options& options)
 {
   std::FILE* file = std::fopen(options.out.c_str(), "w");
   if (file == nullptr) throw std::runtime_error(options.out + ": cannot be written");
   const Provenance from = provenance(options.commit);
-  std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(),
-               from.compiler.c_str(), from.commit.c_str(), loadNow().c_str());
+  const std::string load = loadNow();
+  const CrowdEffort effort = options.quick ? CrowdEffort{0.1, 5.0} : CrowdEffort();
+  std::vector<Measured> all = measureFirst(options, effort);
+  for (int round = 1; round < options.rounds && !options.quick; ++round)
+    for (Measured& measured : all)
+      if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled()) measureAgain(measured, effort);
+  std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(), from.compiler.c_str(),
+               from.commit.c_str(), load.c_str());
   std::fprintf(file, "scene,engine,variant,step,threads,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"
                      "overlap_m,escaped,most_cost_us,rest_after_s,runs,hash\n");
-  const CrowdEffort effort = options.quick ? CrowdEffort{0.1, 5.0, 0.0} : options.effort;
-  const std::size_t most = options.quick ? 1000 : 100000;
-  for (const CrowdScene& scene : crowdScenes())
-  {
-    if (!options.scene.empty() && scene.name != options.scene) continue;
-    for (const CrowdPoint& point : points(scene))
-      for (double n = options.balls > 0.0 ? options.balls : scene.fewest; n <= 1.0001 * static_cast<double>(most);
-           n *= std::sqrt(10.0))
-      {
-        const auto balls = static_cast<std::size_t>(n + 0.5);
-        if (point.threads > 1 && balls < kWorthSharing) continue;
-        if (!point.engine->refuse(crowdOf(scene, balls), point.variant).empty()) break;
-        const Measured measured = measure(point, scene, balls, effort);
-        const CrowdResult& result = measured.result;
-        writeRow(file, scene, point, balls, measured);
-        std::fprintf(stderr, "%s %s %s %g, %zu threads, %zu balls: %.4g us per ball and simulated second, %zu runs%s\n", scene.name.c_str(),
-                     point.engine->name.c_str(), point.variant.c_str(), point.step, point.threads, balls,
-                     result.done ? 1e6 * measured.cost() / static_cast<double>(balls) : 0.0, measured.time.runs(), result.done ? "" : ", not done");
-        if (!result.done || options.balls > 0.0 || 4.0 * result.wall > effort.most) break;  // more would take too long
-      }
-  }
+  for (const Measured& measured : all) writeRow(file, measured);
   std::fclose(file);
 }
 }  // namespace

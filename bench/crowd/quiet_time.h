@@ -15,6 +15,7 @@ public:
   void add(const std::vector<double>& ticks);
 
   std::size_t runs() const { return totals_.size(); }
+  std::size_t ticks() const { return least_.size(); }
   double total() const { return totals_.empty() ? 0.0 : totals_.back(); }  ///< [s]
   /// Of the costliest part of so many ticks, counted from the first one; 0 if there is no whole part [s].
   double mostOf(std::size_t ticks) const;
