@@ -128,7 +128,7 @@ void measureAgain(Measured& measured, const CrowdEffort& effort)
 }
 
 /// All points once: of each engine ever more balls, as long as they do not take too long.
-std::vector<Measured> measureFirst(const Options& options, const CrowdEffort& effort)
+std::vector<Measured> firstRound(const Options& options, const CrowdEffort& effort)
 {
   std::vector<Measured> all;
   const double most = options.quick ? 1000.0 : 100000.0;
@@ -157,7 +157,7 @@ void measureAll(const Options& options)
   const Provenance from = provenance(options.commit);
   const std::string load = loadNow();
   const CrowdEffort effort = options.quick ? CrowdEffort{0.1, 5.0} : CrowdEffort();
-  std::vector<Measured> all = measureFirst(options, effort);
+  std::vector<Measured> all = firstRound(options, effort);
   for (int round = 1; round < options.rounds && !options.quick; ++round)
     for (Measured& measured : all)
       if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled()) measureAgain(measured, effort);
