@@ -184,6 +184,11 @@ def tray_table(rows, balls):
     return "\n".join(text)
 
 
+def others(about):
+    """Where rows of others were kept: at which commit those were measured."""
+    return f" (others at {about['others']})" if "others" in about else ""
+
+
 def undone(rows):
     names = [name((p["engine"], p["variant"], p["step"])) for p in rows if p["scene"] == "tray" and not p["done"]]
     return f"Not even a quarter of a second in a minute: {'; '.join(names)}.\n\n" if names else ""
@@ -201,7 +206,7 @@ A run that would take more than a minute is cut short, after a quarter of a simu
 
 {tray_table(rows, balls)}
 
-{undone(rows)}Commit {about.get("commit", "?")}, load of the machine at the start {about.get("load", "?")}.
+{undone(rows)}Commit {about.get("commit", "?")}{others(about)}, load of the machine at the start {about.get("load", "?")}.
 
 """
 
@@ -279,7 +284,7 @@ Crowd, {most(rows, "crowd"):.0f} balls, after a second. Here energy is lost in i
 
 A ball is 40 mm wide.
 
-{tray}{about.get("machine", "?")}, {about.get("compiler", "?")}, commit {about.get("commit", "?")}. Load of the
+{tray}{about.get("machine", "?")}, {about.get("compiler", "?")}, commit {about.get("commit", "?")}{others(about)}. Load of the
 machine at the start: {about.get("load", "?")}.
 """
     with open(os.path.join(docs, "crowd_cost.md"), "w", encoding="utf-8") as file:

@@ -88,7 +88,8 @@ struct Measured
   CrowdResult result{};
   QuietTime time{};
 
-  double cost() const { return time.total() / result.simulated; }  ///< wall time per simulated second [s]
+  /// Of a ball and simulated second; 0 if it was not done [us].
+  double cost() const { return result.done ? 1e6 * time.total() / (result.simulated * static_cast<double>(balls)) : 0.0; }
 };
 
 void writeRow(std::FILE* file, const Measured& measured)
@@ -98,33 +99,29 @@ void writeRow(std::FILE* file, const Measured& measured)
   const double n = static_cast<double>(measured.balls);
   std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%zu,%016llx\n", measured.scene->name.c_str(),
                point.engine->name.c_str(), point.variant.c_str(), point.variant == "exact" ? 0.0 : point.step, point.threads, measured.balls, r.done,
-               r.start, r.simulated, r.done ? 1e6 * measured.cost() / n : 0.0, r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap,
+               r.start, r.simulated, measured.cost(), r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap,
                r.escaped, 1e6 * measured.time.mostOf(kSecond) / n, r.rest_after, measured.time.runs(), static_cast<unsigned long long>(r.hash));
 }
 
 void tell(const Measured& measured)
 {
-  const double cost = measured.result.done ? 1e6 * measured.cost() / static_cast<double>(measured.balls) : 0.0;
   std::fprintf(stderr, "%s %s %s %g, %zu threads, %zu balls, run %zu: %.4g us per ball and simulated second%s\n",
                measured.scene->name.c_str(), measured.point.engine->name.c_str(), measured.point.variant.c_str(), measured.point.step,
-               measured.point.threads, measured.balls, measured.time.runs(), cost, measured.result.done ? "" : ", not done");
+               measured.point.threads, measured.balls, measured.time.runs(), measured.cost(), measured.result.done ? "" : ", not done");
 }
 
-void measureFirst(Measured& measured, const CrowdEffort& effort)
-{
-  const CrowdRun run = measureCrowd(measured.point, *measured.scene, measured.balls, effort);
-  measured.result = run.result;
-  if (run.result.done) measured.time.add(run.ticks);
-  tell(measured);
-}
-
-void measureAgain(Measured& measured, const CrowdEffort& effort)
+/// Once more: as many ticks as the first time.
+void measure(Measured& measured, const CrowdEffort& effort)
 {
   const CrowdRun run = measureCrowd(measured.point, *measured.scene, measured.balls, effort, measured.time.ticks());
-  if (!run.result.done) return;
-  if (run.result.hash != measured.result.hash) throw std::runtime_error(measured.scene->name + ": two runs ended in different states");
-  measured.time.add(run.ticks);
-  tell(measured);
+  const bool first = measured.time.runs() == 0;
+  if (first) measured.result = run.result;
+  if (run.result.done)
+  {
+    if (run.result.hash != measured.result.hash) throw std::runtime_error(measured.scene->name + ": two runs ended in different states");
+    measured.time.add(run.ticks);
+  }
+  if (first || run.result.done) tell(measured);
 }
 
 /// All points once: of each engine ever more balls, as long as they do not take too long.
@@ -142,7 +139,7 @@ std::vector<Measured> firstRound(const Options& options, const CrowdEffort& effo
         if (point.threads > 1 && balls < kWorthSharing) continue;
         if (!point.engine->refuse(crowdOf(scene, balls), point.variant).empty()) break;
         Measured& measured = all.emplace_back(Measured{&scene, point, balls});
-        measureFirst(measured, effort);
+        measure(measured, effort);
         if (!measured.result.done || options.balls > 0.0 || 4.0 * measured.result.wall > effort.most) break;  // more would take too long
       }
   }
@@ -160,7 +157,7 @@ void measureAll(const Options& options)
   std::vector<Measured> all = firstRound(options, effort);
   for (int round = 1; round < options.rounds && !options.quick; ++round)
     for (Measured& measured : all)
-      if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled()) measureAgain(measured, effort);
+      if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled()) measure(measured, effort);
   std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(), from.compiler.c_str(),
                from.commit.c_str(), load.c_str());
   std::fprintf(file, "scene,engine,variant,step,threads,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"

@@ -131,7 +131,8 @@ void joinPile(WorldState& world, double start, double end)
   islands.near.clear();
   for (const std::uint32_t piled : world.pile.ball)
     islands.broad_phase.listOverlapping(boxAround(world.balls[piled], start, end), islands.near);
-  islands.near.erase(std::remove_if(islands.near.begin(), islands.near.end(), [&](std::uint32_t i) { return world.balls[i].away(); }), islands.near.end());
+  const auto away = [&](std::uint32_t i) { return world.balls[i].away(); };
+  islands.near.erase(std::remove_if(islands.near.begin(), islands.near.end(), away), islands.near.end());
   std::sort(islands.near.begin(), islands.near.end());
   islands.near.erase(std::unique(islands.near.begin(), islands.near.end()), islands.near.end());
   islands.near_boxes.clear();

@@ -200,7 +200,7 @@ void clearPile(Pile& pile);
 void reservePile(Pile& pile, std::size_t balls, bool constant_forces);
 /// Turns the ball by what it has turned since it was last told: closed form, without trigonometry where that is little.
 void takeTurn(Pile& pile, std::size_t slot);
-/// Puts the state of a ball into its record, after takeTurn().
+/// Puts the state of a ball into its record.
 void storeBall(WorldState& world, std::size_t slot, double time);
 /// Wakes up balls that touch a sphere, or nearly.
 void wakeNear(Pile& pile, const Vector3d& p_WB, double radius);

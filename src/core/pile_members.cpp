@@ -177,7 +177,8 @@ void restatePile(WorldState& world, std::uint32_t ball)
 
 void storeBall(WorldState& world, std::size_t slot, double time)
 {
-  const Pile& pile = world.pile;
+  Pile& pile = world.pile;
+  takeTurn(pile, slot);
   Segment& path = world.balls[pile.ball[slot]].path;
   path.start = time;
   path.c[0] = pile.movers[slot].p;

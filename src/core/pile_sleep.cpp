@@ -29,7 +29,6 @@ void sleep(WorldState& world, std::size_t i)
   BallRecord& ball = world.balls[pile.ball[i]];
   ball.asleep = true;
   ball.supports.setSince(pile.start + pile.h - static_cast<double>(pile.still[i]));
-  takeTurn(pile, i);
   storeBall(world, i, pile.start + pile.h);
 }
 

@@ -177,7 +177,6 @@ void runPile(WorldState& world, double start, double end, double longest_step)
             {
               for (const std::uint32_t i : share.awake)
               {
-                takeTurn(pile, i);
                 storeBall(world, i, end);
                 world.balls[pile.ball[i]].asleep = false;
               }
