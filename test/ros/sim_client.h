@@ -104,6 +104,14 @@ private:
   ros::Subscriber subscriber_;
 };
 
+/// Calls a service by its full name. Persistent: otherwise the server hangs up once it has answered, and a client that
+/// learns of that first loses the answer (ros_comm issue 1976).
+template <class Service>
+bool ask(const std::string& service, Service& exchange)
+{
+  return ros::NodeHandle().serviceClient<Service>(service, true).call(exchange);
+}
+
 /// Calls a private service of the simulator.
 template <class Service>
 typename Service::Response call(const std::string& name, const typename Service::Request& request)
@@ -112,7 +120,7 @@ typename Service::Response call(const std::string& name, const typename Service:
   Service exchange;
   exchange.request = request;
   EXPECT_TRUE(eventually([&] { return ros::service::exists(service, false); })) << service;
-  EXPECT_TRUE(ros::service::call(service, exchange)) << service;
+  EXPECT_TRUE(ask(service, exchange)) << service;
   return exchange.response;
 }
 

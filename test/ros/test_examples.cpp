@@ -12,12 +12,12 @@ void expectBouncing(const std::string& ns)
   ros::NodeHandle nh(ns);
   sim_test::Inbox<Contact> contacts(nh, "contacts");
   sim_test::Inbox<BallStates> balls(nh, "balls");
-  ros::ServiceClient reset = nh.serviceClient<std_srvs::Trigger>("ping_pong_sim/reset");
-  ASSERT_TRUE(reset.waitForExistence(ros::Duration(sim_test::kPatience)));
+  const std::string reset = nh.resolveName("ping_pong_sim/reset");
+  ASSERT_TRUE(ros::service::waitForService(reset, ros::Duration(sim_test::kPatience)));
   sim_test::Inbox<PaddleStates> paddles(nh, "paddles");
   ASSERT_TRUE(paddles.waitFor([](const PaddleStates& p) { return p.paddles.at(0).command_age >= 0.0; }));
   std_srvs::Trigger trigger;
-  ASSERT_TRUE(reset.call(trigger));  // the first fall may have come before the controller
+  ASSERT_TRUE(sim_test::ask(reset, trigger));  // the first fall may have come before the controller
   contacts.clear();
   balls.clear();
   ASSERT_TRUE(contacts.waitForCount(6));

@@ -53,8 +53,7 @@ protected:
     std::ofstream(path) << config;
     rviz::SendFilePath exchange;
     exchange.request.path.data = path;
-    const bool loaded =
-        ros::service::call("/rviz/load_config_discarding_changes", exchange) && exchange.response.success;
+    const bool loaded = sim_test::ask("/rviz/load_config_discarding_changes", exchange) && exchange.response.success;
     std::remove(path.c_str());
     return loaded;
   }
