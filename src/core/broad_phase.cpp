@@ -32,12 +32,13 @@ int bitsFor(double count)
 
 void BroadPhase::reserve(std::size_t boxes)
 {
-  takeMemory(start_, static_cast<std::size_t>(kMostCells * static_cast<double>(boxes) + kFewCells) + 4);
+  const auto cells = static_cast<std::size_t>(kMostCells * static_cast<double>(boxes) + kFewCells);
+  takeMemory(start_, kSlices * cells + 4);
   takeMemory(index_, boxes);
   takeMemory(range_, boxes);
   takeMemory(placed_, boxes);
   takeMemory(entries_, boxes + kLanes);
-  takeMemory(last_link_, start_.capacity());
+  takeMemory(last_link_, cells);
   takeMemory(links_, 16 * boxes);
   takeMemory(everywhere_, boxes);
 }
@@ -98,10 +99,13 @@ void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
     axis.last = units * (axis.cells - 1) - 1.0;
     const int bits = cell_bits[i] + axis.unit_bits;
     axis.mask = (Corner{1} << bits) - 1;
+    axis.cell_bits = axis.mask >> axis.unit_bits << axis.unit_bits << shift;
     borrows_ |= Corner{1} << (shift + bits);
     longest_ |= Corner{1} << (shift + axis.unit_bits);
     shift += bits + 1;
   }
+  slice_shift_ = axes_[0].shift + axes_[0].unit_bits - kSliceBits;
+  slice_mask_ = axes_[0].mask >> (axes_[0].unit_bits - kSliceBits);
   row_ = static_cast<std::size_t>(axes_[0].cells);
   layer_ = row_ * static_cast<std::size_t>(axes_[1].cells);
   cells_ = layer_ * static_cast<std::size_t>(axes_[2].cells);
@@ -127,7 +131,7 @@ void BroadPhase::sort()
   count(Law::BroadPhase);
   links_.clear();
   everywhere_.clear();
-  start_.assign(cells_ + 3, 0);
+  start_.assign(kSlices * cells_ + 3, 0);
   for (const std::uint32_t range : range_) ++start_[range];
   std::uint32_t total = 0;
   for (std::uint32_t& start : start_)
@@ -138,8 +142,8 @@ void BroadPhase::sort()
     index_[place] = static_cast<std::uint32_t>(i);
     entries_[place] = placed_[i];
   }
-  in_cells_ = start_[cells_];
-  boxes_ = start_[cells_ + 1];
+  in_cells_ = start_[kSlices * cells_];
+  boxes_ = start_[kSlices * cells_ + 1];
   for (std::size_t p = in_cells_; p < boxes_; ++p) addToLists(entries_[p], index_[p]);
 }
 }  // namespace ping_pong

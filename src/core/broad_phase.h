@@ -37,15 +37,16 @@ public:
 
   /// Those that are not empty, in the order of their cells.
   std::size_t boxes() const { return boxes_; }
-  /// Calls action(pairs, how_many), for some pairs at a time, with every two boxes that overlap, in no order; of all pairs
-  /// that share of which [begin, end) is of boxes(). Shares that cover boxes() once give each pair once.
-  template <class Action>
-  void eachPairs(std::size_t begin, std::size_t end, const Action& action) const;
+  /// Calls ahead(a, b) with every two boxes that overlap, in no order, and some pairs later action(pairs, how_many), for some
+  /// at a time: what ahead() fetches has come by then. Of all pairs that share of which [begin, end) is of boxes(): shares that
+  /// cover boxes() once give each pair once.
+  template <class Ahead, class Action>
+  void eachPairs(std::size_t begin, std::size_t end, const Ahead& ahead, const Action& action) const;
   /// Calls action(a, b) with every two of all.
   template <class Action>
   void eachPair(const Action& action) const
   {
-    eachPairs(0, boxes_,
+    eachPairs(0, boxes_, [](std::uint32_t, std::uint32_t) {},
               [&action](const Pair* pairs, std::size_t count)
               {
                 for (std::size_t p = 0; p < count; ++p) action(pairs[p][0], pairs[p][1]);
@@ -66,6 +67,8 @@ private:
   static constexpr std::uint32_t kNoLink = ~0u;
   static constexpr int kPlaceBits = 29;      ///< of the three places in a corner,
   static constexpr int kLeastUnitBits = 2;   ///< of which along each axis at least so many are of units in a cell
+  static constexpr int kSliceBits = 2;
+  static constexpr std::size_t kSlices = 1u << kSliceBits;  ///< of a cell along x: where a row is searched, ends are cut off
 
   /// A place in units from the origin of the grid: x, y and z in one number, each below a bit that is zero. What is beyond
   /// the grid is on its border.
@@ -80,6 +83,7 @@ private:
     int cells = 3;
     int shift = 0;                   ///< of a place in a corner
     int unit_bits = 0;               ///< its lowest ones: units in a cell
+    Corner cell_bits = 0;            ///< the others, where they are in a corner
     Corner mask = 0;                 ///< of a place, once it is shifted down
 
     int cellOf(Corner corner) const { return static_cast<int>((corner >> shift & mask) >> unit_bits); }
@@ -99,6 +103,11 @@ private:
     Corners both;  ///< what to add to two extents
 
     explicit Question(const Extent& its) : extent(its), both{its.high, its.minus_low, its.high, its.minus_low} {}
+  };
+  /// Some entries.
+  struct Range
+  {
+    std::uint32_t begin, end;
   };
   struct Listed
   {
@@ -131,10 +140,21 @@ private:
     return static_cast<std::size_t>(z) * layer_ + static_cast<std::size_t>(y) * row_ + static_cast<std::size_t>(x);
   }
   Cell cellAt(Corner corner) const { return {axes_[0].cellOf(corner), axes_[1].cellOf(corner), axes_[2].cellOf(corner)}; }
-  std::size_t cellOf(Corner corner) const
+  std::size_t sliceAlong(Corner corner) const { return corner >> slice_shift_ & slice_mask_; }  ///< of its row
+  std::size_t sliceOf(Corner corner) const
   {
-    const Cell its = cellAt(corner);
-    return cell(its[0], its[1], its[2]);
+    return kSlices * cell(0, axes_[1].cellOf(corner), axes_[2].cellOf(corner)) + sliceAlong(corner);
+  }
+  /// Of a box that fits, how far it reaches beyond the slice of its lower corner: slices, and cells.
+  struct Reach
+  {
+    std::size_t x;
+    bool y, z;
+  };
+  Reach reachOf(const Extent& extent) const
+  {
+    const Corner low = extent.low(), differ = low ^ extent.high;
+    return {sliceAlong(extent.high) - sliceAlong(low), (differ & axes_[1].cell_bits) != 0, (differ & axes_[2].cell_bits) != 0};
   }
   /// All three subtractions at once: none borrows if no coordinate is less than the other.
   bool overlap(const Extent& a, const Extent& b) const
@@ -142,16 +162,22 @@ private:
     return ((a.high + b.minus_low) & (b.high + a.minus_low) & borrows_) == borrows_;
   }
   LaneMask overlaps(const Extent* entries, const Question& question) const;  ///< four of them
+  /// Of one row, those that a box may overlap whose lower corner is in this slice and which reaches so far; or none.
+  Range inRow(std::size_t slice, std::size_t reach, bool any) const
+  {
+    const std::uint32_t begin = start_[slice - kSlices], end = start_[slice + reach + 1];
+    return {begin, any ? end : begin};
+  }
   template <class Action>
   void eachCell(const Cell& first, const Cell& last, const Action& action) const;  ///< action(x, y, z)
 
   // Calling take(index) for each that overlaps:
   template <class Take>
   void takeFrom(std::size_t begin, std::size_t end, const Question& question, const Take& take) const;
+  template <std::size_t count, class Take>
+  void takeFromRanges(const std::array<Range, count>& ranges, const Question& question, const Take& take) const;
   template <class Take>
-  void takeFromRow(std::size_t cell, const Question& question, const Take& take) const;  ///< of three cells
-  template <class Take>
-  void takeAround(std::size_t cell, const Question& question, const Take& take) const;
+  void takeAround(const Question& question, const Take& take) const;
   template <class Take>
   void takeFromCells(const Extent& extent, const Take& take) const;
   template <class Take>
@@ -162,10 +188,12 @@ private:
   Corner borrows_ = 0;                          ///< the bits between places
   Corner longest_ = 0;                          ///< edges of a cell
   std::size_t row_ = 3, layer_ = 9, cells_ = 27;  ///< cells
+  int slice_shift_ = 0;                         ///< of a slice along x in a corner
+  std::size_t slice_mask_ = 0;
   std::size_t boxes_ = 0;                       ///< that are not empty
   std::size_t in_cells_ = 0;                    ///< of these; those that are too long come after them
   std::vector<Extent> placed_;                  ///< by index
-  std::vector<std::uint32_t> range_;            ///< of each: its cell, cells_ if it is in none, or one more if it is empty
+  std::vector<std::uint32_t> range_;            ///< of each: its slice, kSlices * cells_ if it is in none, or one more if it is empty
   std::vector<std::uint32_t> start_;            ///< of each range in entries_
   std::vector<Extent> entries_;                 ///< by range; some more after them, to be read but not told
   std::vector<std::uint32_t> index_;            ///< of each entry
@@ -245,11 +273,11 @@ inline bool BroadPhase::fits(const Extent& extent) const
 template <class AnyBox>
 void BroadPhase::put(std::uint32_t index, const AnyBox& box)
 {
-  std::size_t range = cells_ + 1;
+  std::size_t range = kSlices * cells_ + 1;
   if (!box.empty())
   {
     const Extent extent = placed_[index] = extentOf(box);
-    range = fits(extent) ? cellOf(extent.low()) : cells_;
+    range = fits(extent) ? sliceOf(extent.low()) : kSlices * cells_;
   }
   range_[index] = static_cast<std::uint32_t>(range);
 }
@@ -278,61 +306,92 @@ inline void BroadPhase::takeFrom(std::size_t begin, std::size_t end, const Quest
 {
   for (std::size_t q = begin; q < end; q += kLanes)
   {
-    const LaneMask overlap = overlaps(entries_.data() + q, question);
-    if (!anyLane(overlap)) continue;
-    for (std::size_t k = 0; k < kLanes; ++k)
-      if (overlap[k] != 0 && q + k < end) take(index_[q + k]);
+    unsigned found = lanesIn(overlaps(entries_.data() + q, question)) & firstLanes(end - q);
+    for (; found != 0; found &= found - 1u) take(index_[q + static_cast<std::size_t>(__builtin_ctz(found))]);
   }
 }
 
-template <class Take>
-inline void BroadPhase::takeFromRow(std::size_t cell, const Question& question, const Take& take) const
+// How many there are in a range and how many of them overlap is hard to foresee for a processor: so the first four of every
+// range are compared, whether they are there or not, and branches are taken for those that overlap and for what is left only.
+template <std::size_t count, class Take>
+inline void BroadPhase::takeFromRanges(const std::array<Range, count>& ranges, const Question& question, const Take& take) const
 {
-  takeFrom(start_[cell - 1], start_[cell + 2], question, take);
+  static_assert(count * kLanes <= 64, "a bit for each");
+  std::uint64_t found = 0;
+  bool more = false;
+  for (std::size_t r = 0; r < count; ++r)
+  {
+    const std::uint32_t size = ranges[r].end - ranges[r].begin;
+    const std::uint64_t here = lanesIn(overlaps(entries_.data() + ranges[r].begin, question)) & firstLanes(size);
+    found |= here << (kLanes * r);
+    more |= size > kLanes;
+  }
+  for (; found != 0; found &= found - 1u)
+  {
+    const auto bit = static_cast<std::size_t>(__builtin_ctzll(found));
+    take(index_[ranges[bit / kLanes].begin + bit % kLanes]);
+  }
+  if (!more) return;
+  for (const Range& range : ranges) takeFrom(range.begin + kLanes, range.end, question, take);
 }
 
 template <class Take>
-void BroadPhase::takeAround(std::size_t cell, const Question& question, const Take& take) const
+void BroadPhase::takeAround(const Question& question, const Take& take) const
 {
-  const std::size_t lowest = cell - layer_ - row_;
+  const std::size_t row = kSlices * row_, layer = kSlices * layer_;
+  const std::size_t slice = sliceOf(question.extent.low());
+  const Reach reach = reachOf(question.extent);
+  std::array<Range, 9> rows;
   for (std::size_t z = 0; z < 3; ++z)
-    for (std::size_t y = 0; y < 3; ++y) __builtin_prefetch(entries_.data() + start_[lowest + z * layer_ + y * row_ - 1]);
-  for (std::size_t z = 0; z < 3; ++z)
-    for (std::size_t y = 0; y < 3; ++y) takeFromRow(lowest + z * layer_ + y * row_, question, take);
+    for (std::size_t y = 0; y < 3; ++y)
+      rows[3 * z + y] = inRow(slice + z * layer + y * row - layer - row, reach.x, (z < 2 || reach.z) && (y < 2 || reach.y));
+  for (const Range& its : rows) __builtin_prefetch(entries_.data() + its.begin);
+  takeFromRanges(rows, question, take);
 }
 
 template <class Take>
 void BroadPhase::takeFromCells(const Extent& extent, const Take& take) const
 {
   const Question question(extent);
+  if (fits(extent)) return takeAround(question, take);
   const Cell low = cellAt(extent.low()), high = cellAt(extent.high);
-  if (fits(extent)) return takeAround(cell(low[0], low[1], low[2]), question, take);
+  const std::size_t first = sliceAlong(extent.low()) - kSlices, last = sliceAlong(extent.high);
   for (int z = low[2] - 1; z <= high[2]; ++z)
-    for (int y = low[1] - 1; y <= high[1]; ++y) takeFrom(start_[cell(low[0] - 1, y, z)], start_[cell(high[0], y, z) + 1], question, take);
+    for (int y = low[1] - 1; y <= high[1]; ++y)
+    {
+      const std::size_t row = kSlices * cell(0, y, z);
+      takeFrom(start_[row + first], start_[row + last + 1], question, take);
+    }
 }
 
-template <class Action>
-void BroadPhase::eachPairs(std::size_t begin, std::size_t end, const Action& action) const
+template <class Ahead, class Action>
+void BroadPhase::eachPairs(std::size_t begin, std::size_t end, const Ahead& ahead, const Action& action) const
 {
-  std::array<Pair, 16> pairs;
+  constexpr std::size_t kAtATime = 16;
+  std::array<Pair, 2 * kAtATime> pairs;  // those in front wait until the others are there
   std::size_t count = 0;
   std::uint32_t own = 0;
+  const std::size_t row = kSlices * row_, layer = kSlices * layer_;
   const auto take = [&](std::uint32_t other)
   {
+    ahead(own, other);
     pairs[count] = {own, other};
     if (++count < pairs.size()) return;
-    action(pairs.data(), count);
-    count = 0;
+    action(pairs.data(), kAtATime);
+    std::copy(pairs.begin() + kAtATime, pairs.end(), pairs.begin());
+    count = kAtATime;
   };
   for (std::size_t p = begin; p < std::min(end, in_cells_); ++p)
   {
     const Question question(entries_[p]);
-    const std::size_t cell = cellOf(question.extent.low());
     own = index_[p];
+    const std::size_t slice = range_[own], above = slice + layer;
+    const Reach reach = reachOf(entries_[p]);
     // Of two boxes the one whose cell comes first looks for the other: further on in its row, in the row behind, in the layer above.
-    takeFrom(p + 1, start_[cell + 2], question, take);
-    takeFromRow(cell + row_, question, take);
-    for (std::size_t y = 0; y < 3; ++y) takeFromRow(cell + layer_ - row_ + y * row_, question, take);
+    const Range further{static_cast<std::uint32_t>(p + 1), start_[slice + reach.x + 1]};
+    takeFromRanges(std::array{further, inRow(slice + row, reach.x, reach.y), inRow(above - row, reach.x, reach.z),
+                              inRow(above, reach.x, reach.z), inRow(above + row, reach.x, reach.y && reach.z)},
+                   question, take);
   }
   for (std::size_t p = std::max(begin, in_cells_); p < end; ++p)
   {

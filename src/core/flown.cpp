@@ -34,8 +34,17 @@ bool anyPieceLeft(const WorldState& world, std::size_t i, const Look& look)
 
 View onItsPath(const WorldState& world, const Window& window, std::size_t i)
 {
+  const Glance& glance = world.islands.glances[i];
+  const GlanceKind& kind = world.islands.glances.kindOf(glance);
+  if (kind.how == GlanceKind::How::Flies) return {viewOf(glance, kind), window.end, true};
   const Segment& path = world.balls[i].path;
   return {ParabolaView(path), window.end, isParabola(path)};
+}
+
+double radiusOf(const WorldState& world, std::size_t i)
+{
+  const GlanceKind& kind = world.islands.glances.kindOf(world.islands.glances[i]);
+  return kind.how == GlanceKind::How::Flies ? kind.radius : world.balls[i].params().radius;
 }
 
 bool meet(const View& a, const View& b, double reach)
@@ -48,10 +57,10 @@ bool meet(const View& a, const View& b, double reach)
   return firstContact(a.path, b.path, reach, from, until).found();
 }
 
-// On paths that both, or one of them, have left.
-bool metBefore(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
+// On paths that both, or one of them, have left. Few have: whoever asks for the others is quicker without this in between.
+[[gnu::noinline]] bool metBefore(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
-  const double reach = world.balls[i].params().radius + world.balls[k].params().radius;
+  const double reach = radiusOf(world, i) + radiusOf(world, k);
   const View my_last = onItsPath(world, window, i), its_last = onItsPath(world, window, k);
   const auto meetsK = [&](const View& mine)
   { return anyPieceLeft(world, k, [&](const View& other) { return meet(mine, other, reach); }); };
@@ -71,12 +80,24 @@ void forgetPath(Piece& piece, double until)
   piece.until = until;
 }
 
-double firstMeeting(const BallRecord& a, const BallRecord& b, double until)
+[[gnu::noinline]] double meetingOnPaths(const BallRecord& a, const BallRecord& b, double until)
 {
   if (a.away() || b.away() || (a.path.degree == 0 && b.path.degree == 0)) return kNever;
   const double from = std::max(a.path.start, b.path.start);
   const double to = std::min({until, a.path.end, b.path.end});
   return firstContact(a.path, a.params().radius, b.path, b.params().radius, from, to).time;
+}
+
+// See firstMeeting(): asked for every two balls that come near each other.
+[[gnu::always_inline]] inline double meeting(const WorldState& world, std::size_t i, std::size_t k, double until)
+{
+  const Glances& glances = world.islands.glances;
+  const Glance &a = glances[i], &b = glances[k];
+  const GlanceKind &kind_a = glances.kindOf(a), &kind_b = glances.kindOf(b);
+  const bool fly = kind_a.how == GlanceKind::How::Flies && kind_b.how == GlanceKind::How::Flies;
+  if (!fly || (a.kind != b.kind && kind_a.half_a != kind_b.half_a)) return meetingOnPaths(world.balls[i], world.balls[k], until);
+  count(Law::PairSearch);
+  return firstContact(viewOf(a, kind_a), viewOf(b, kind_b), kind_a.radius + kind_b.radius, std::max(a.start, b.start), until).time;
 }
 }  // namespace
 
@@ -121,20 +142,14 @@ void noteLast(WorldState& world, const Window& window, std::size_t i)
 
 double firstMeeting(const WorldState& world, std::size_t i, std::size_t k, double until)
 {
-  const Glances& glances = world.islands.glances;
-  const Glance &a = glances[i], &b = glances[k];
-  const GlanceKind &kind_a = glances.kindOf(a), &kind_b = glances.kindOf(b);
-  const bool fly = kind_a.how == GlanceKind::How::Flies && kind_b.how == GlanceKind::How::Flies;
-  if (!fly || (a.kind != b.kind && kind_a.half_a != kind_b.half_a)) return firstMeeting(world.balls[i], world.balls[k], until);
-  count(Law::PairSearch);
-  return firstContact(viewOf(a, kind_a), viewOf(b, kind_b), kind_a.radius + kind_b.radius, std::max(a.start, b.start), until).time;
+  return meeting(world, i, k, until);
 }
 
 Encounter encounterOf(const WorldState& world, const Window& window, std::size_t i, std::size_t k)
 {
   const Glances& glances = world.islands.glances;
   if ((glances[i].bent || glances[k].bent) && metBefore(world, window, i, k)) return {true, kNever};
-  const double next = firstMeeting(world, i, k, window.outlook);
+  const double next = meeting(world, i, k, window.outlook);
   return {next <= window.end, next};
 }
 }  // namespace ping_pong

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -23,6 +24,23 @@ inline bool anyLane(LaneMask mask)
   std::uint64_t halves[2];
   std::memcpy(halves, &mask, sizeof(mask));
   return (halves[0] | halves[1]) != 0;
+}
+
+/// Which lanes are not 0: one bit each, that of the first lane is the lowest.
+inline unsigned lanesIn(LaneMask mask)
+{
+#ifdef __SSE2__
+  return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Lanes>(mask)));
+#else
+  mask &= LaneMask{1, 2, 4, 8};
+  return static_cast<unsigned>(mask[0] | mask[1] | mask[2] | mask[3]);
+#endif
+}
+
+/// So many lanes from the first one on, or all four.
+inline unsigned firstLanes(std::size_t count)
+{
+  return (1u << std::min(count, kLanes)) - 1u;
 }
 
 /// Four vectors.

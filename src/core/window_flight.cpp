@@ -59,8 +59,6 @@ void eachBall(WorldState& world, const Window& window, const Action& action)
 
 void lookAtPairs(const WorldState& world, const Window& window, const BroadPhase::Pair* pairs, std::size_t count)
 {
-  for (std::size_t p = 0; p < count; ++p)
-    for (const std::uint32_t i : pairs[p]) world.islands.glances.fetch(i);
   for (std::size_t p = 0; p < count; ++p) lookAtPair(world, window, pairs[p][0], pairs[p][1]);
 }
 
@@ -131,8 +129,8 @@ void flyAnew(WorldState& world, const Window& window)
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
                        const Window its = ofWorker(world, window, worker);
-                       grid.eachPairs(begin, end, [&](const BroadPhase::Pair* pairs, std::size_t count)
-                                      { lookAtPairs(world, its, pairs, count); });
+                       grid.eachPairs(begin, end, [&](std::uint32_t i, std::uint32_t k) { islands.glances.fetch(i), islands.glances.fetch(k); },
+                                      [&](const BroadPhase::Pair* pairs, std::size_t count) { lookAtPairs(world, its, pairs, count); });
                      });
 }
 

@@ -29,16 +29,6 @@ Box boxAround(const Shape& placed)
 }
 }  // namespace
 
-// The chord, and as far beyond it as the parabola bulges: |a| T^2 / 8. Wider than need be where the ball does not turn round
-// in between, but without a root, a quotient or a branch.
-Box boxOf(const ParabolaView& path, double radius, double from, double to)
-{
-  const double s = std::max(from - path.start, 0.0), e = std::max(to - path.start, s);
-  const Vector3d p = path.p + s * (path.v + s * path.half_a), q = path.p + e * (path.v + e * path.half_a);
-  const Vector3d bulge = (0.25 * (e - s) * (e - s)) * path.half_a;  // towards -a
-  return {(p.cwiseMin(q) - bulge.cwiseMax(0.0)).array() - radius, (p.cwiseMax(q) - bulge.cwiseMin(0.0)).array() + radius};
-}
-
 Box boxOf(const BallRecord& ball, double from, double to)
 {
   const Segment& path = ball.path;

@@ -101,14 +101,16 @@ TEST(BroadPhase, FindsEveryPairOnceInSharesOfAnySize)
       const std::vector<CoarseBox> boxes = count % 2 == 0 ? someBoxes(count, seed) : evenBoxes(count, seed);
       build(broad_phase, boxes, workers);
       const std::size_t share = 1 + broad_phase.boxes() / threads;
-      Pairs pairs, told;
+      Pairs pairs, told, announced;
       for (std::size_t begin = 0; begin < broad_phase.boxes(); begin += share)
         broad_phase.eachPairs(begin, std::min(begin + share, broad_phase.boxes()),
+                              [&](std::uint32_t a, std::uint32_t b) { announced.insert(std::minmax(a, b)); },
                               [&](const BroadPhase::Pair* some, std::size_t how_many)
                               {
                                 for (std::size_t p = 0; p < how_many; ++p)
                                 {
                                   const auto [a, b] = std::minmax(some[p][0], some[p][1]);
+                                  EXPECT_TRUE(announced.count({a, b})) << "not announced";
                                   EXPECT_TRUE(told.insert({a, b}).second) << "told twice";
                                   if (boxes[a].overlaps(boxes[b])) pairs.insert({a, b});
                                 }
