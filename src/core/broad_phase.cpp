@@ -37,7 +37,7 @@ void BroadPhase::reserve(std::size_t boxes)
   takeMemory(index_, boxes);
   takeMemory(range_, boxes);
   takeMemory(placed_, boxes);
-  takeMemory(entries_, boxes + kLanes);
+  takeMemory(entries_, boxes + kFirst);
   takeMemory(last_link_, cells);
   takeMemory(links_, 16 * boxes);
   takeMemory(everywhere_, boxes);
@@ -79,7 +79,7 @@ void BroadPhase::layOut(const Sums& sums, std::size_t count)
   placed_.resize(count);
   range_.resize(count);
   index_.resize(count);
-  entries_.resize(count + kLanes);
+  entries_.resize(count + kFirst);
 }
 
 // What bits are left after the numbers of cells are for units in them.

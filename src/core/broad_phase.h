@@ -67,6 +67,7 @@ private:
   static constexpr std::uint32_t kNoLink = ~0u;
   static constexpr int kPlaceBits = 29;      ///< of the three places in a corner,
   static constexpr int kLeastUnitBits = 2;   ///< of which along each axis at least so many are of units in a cell
+  static constexpr std::size_t kFirst = 2 * kLanes;  ///< entries of a range that are compared in any case
   static constexpr int kSliceBits = 2;
   static constexpr std::size_t kSlices = 1u << kSliceBits;  ///< of a cell along x: where a row is searched, ends are cut off
 
@@ -306,33 +307,34 @@ inline void BroadPhase::takeFrom(std::size_t begin, std::size_t end, const Quest
 {
   for (std::size_t q = begin; q < end; q += kLanes)
   {
-    unsigned found = lanesIn(overlaps(entries_.data() + q, question)) & firstLanes(end - q);
+    unsigned found = lanesIn(overlaps(entries_.data() + q, question)) & lowestBits(std::min(end - q, kLanes));
     for (; found != 0; found &= found - 1u) take(index_[q + static_cast<std::size_t>(__builtin_ctz(found))]);
   }
 }
 
-// How many there are in a range and how many of them overlap is hard to foresee for a processor: so the first four of every
+// How many there are in a range and how many of them overlap is hard to foresee for a processor: so the first eight of every
 // range are compared, whether they are there or not, and branches are taken for those that overlap and for what is left only.
 template <std::size_t count, class Take>
 inline void BroadPhase::takeFromRanges(const std::array<Range, count>& ranges, const Question& question, const Take& take) const
 {
-  static_assert(count * kLanes <= 64, "a bit for each");
+  static_assert(count * kFirst <= 64, "a bit for each");
   std::uint64_t found = 0;
   bool more = false;
   for (std::size_t r = 0; r < count; ++r)
   {
     const std::uint32_t size = ranges[r].end - ranges[r].begin;
-    const std::uint64_t here = lanesIn(overlaps(entries_.data() + ranges[r].begin, question)) & firstLanes(size);
-    found |= here << (kLanes * r);
-    more |= size > kLanes;
+    const Extent* first = entries_.data() + ranges[r].begin;
+    const unsigned here = lanesIn(overlaps(first, question)) | lanesIn(overlaps(first + kLanes, question)) << kLanes;
+    found |= std::uint64_t{here & lowestBits(std::min<std::size_t>(size, kFirst))} << (kFirst * r);
+    more |= size > kFirst;
   }
   for (; found != 0; found &= found - 1u)
   {
     const auto bit = static_cast<std::size_t>(__builtin_ctzll(found));
-    take(index_[ranges[bit / kLanes].begin + bit % kLanes]);
+    take(index_[ranges[bit / kFirst].begin + bit % kFirst]);
   }
   if (!more) return;
-  for (const Range& range : ranges) takeFrom(range.begin + kLanes, range.end, question, take);
+  for (const Range& range : ranges) takeFrom(range.begin + kFirst, range.end, question, take);
 }
 
 template <class Take>
@@ -341,12 +343,14 @@ void BroadPhase::takeAround(const Question& question, const Take& take) const
   const std::size_t row = kSlices * row_, layer = kSlices * layer_;
   const std::size_t slice = sliceOf(question.extent.low());
   const Reach reach = reachOf(question.extent);
-  std::array<Range, 9> rows;
+  std::array<std::array<Range, 3>, 3> rows;
   for (std::size_t z = 0; z < 3; ++z)
     for (std::size_t y = 0; y < 3; ++y)
-      rows[3 * z + y] = inRow(slice + z * layer + y * row - layer - row, reach.x, (z < 2 || reach.z) && (y < 2 || reach.y));
-  for (const Range& its : rows) __builtin_prefetch(entries_.data() + its.begin);
-  takeFromRanges(rows, question, take);
+    {
+      rows[z][y] = inRow(slice + z * layer + y * row - layer - row, reach.x, (z < 2 || reach.z) && (y < 2 || reach.y));
+      __builtin_prefetch(entries_.data() + rows[z][y].begin);
+    }
+  for (const std::array<Range, 3>& its : rows) takeFromRanges(its, question, take);
 }
 
 template <class Take>
@@ -414,9 +418,9 @@ void BroadPhase::takeFromLists(const Extent& extent, const Take& take) const
     for (std::uint32_t link = last_link_[cell(x, y, z)]; link != kNoLink; link = links_[link].next)
     {
       const Listed& box = links_[link];
-      if (!overlap(box.extent, extent)) continue;
       const Cell its = cellAt(box.extent.low());  // of all cells that both are in, the first one tells
-      if (x == std::max(first[0], its[0]) && y == std::max(first[1], its[1]) && z == std::max(first[2], its[2])) take(box.index);
+      const bool tells = (x == std::max(first[0], its[0])) & (y == std::max(first[1], its[1])) & (z == std::max(first[2], its[2]));
+      if (overlap(box.extent, extent) & tells) take(box.index);
     }
   };
   eachCell(first, last, takeFromList);

@@ -71,26 +71,37 @@ void runIsland(WorldState& world, Window window, std::uint32_t root)
   for (const std::size_t i : members) noteLast(world, window, i);
 }
 
-// Balls that were thrown off their path may come into the way of balls outside, islands of the same run among them.
-void findWhoWasMet(WorldState& world, const Window& window, std::uint32_t root)
+void fetchIsland(const WorldState& world, std::uint32_t root)
+{
+  world.fetch(root);
+  world.fetch(world.islands.busy(root).next);
+}
+
+// Calls action(ball) for each that was hit.
+template <class Action>
+void eachThrown(const WorldState& world, std::uint32_t root, const Action& action)
 {
   const IslandRecords& islands = world.islands;
   for (std::uint32_t i = islands.busy(root).next;; i = islands.busy(i).next)
   {
-    if (world.balls[i].met) lookAround(world, window, i);
+    if (world.balls[i].met) action(i);
     if (i == root) return;
   }
+}
+
+// Balls that were thrown off their path may come into the way of balls outside, islands of the same run among them.
+void findWhoWasMet(WorldState& world, const Window& window, const std::uint32_t* roots, std::size_t count)
+{
+  std::vector<std::uint32_t>& thrown = window.work->thrown;
+  thrown.clear();
+  for (std::size_t r = 0; r < count; ++r) eachThrown(world, roots[r], [&thrown](std::uint32_t i) { thrown.push_back(i); });
+  lookAround(world, window, thrown.data(), thrown.size());
 }
 
 void addWhoWasThrown(WorldState& world)
 {
   IslandRecords& islands = world.islands;
-  for (const std::uint32_t root : islands.islands)
-    for (std::uint32_t i = islands.busy(root).next;; i = islands.busy(i).next)
-    {
-      if (world.balls[i].met) islands.addToGrid(i);
-      if (i == root) break;
-    }
+  for (const std::uint32_t root : islands.islands) eachThrown(world, root, [&islands](std::uint32_t i) { islands.addToGrid(i); });
 }
 }  // namespace
 
@@ -109,8 +120,6 @@ void uniteWhoMet(WorldState& world)
   for (IslandWork& work : islands.work)
     for (const auto& [i, k] : work.met)
     {
-      world.fetch(i);
-      world.fetch(k);
       islands.makeBusy(work, i);
       islands.makeBusy(work, k);
       unite(islands, i, k);
@@ -128,9 +137,9 @@ void runIslandsOnce(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
   ++islands.runs;
-  eachOf(islands.islands, world, window, runIsland);
+  eachOf(islands.islands, world, window, fetchIsland, runIsland);
   addWhoWasThrown(world);
-  eachOf(islands.islands, world, window, findWhoWasMet);
+  partsOf(islands.islands, world, window, findWhoWasMet);
   uniteWhoMet(world);
 }
 }  // namespace ping_pong

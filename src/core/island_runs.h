@@ -1,6 +1,8 @@
 // Islands: balls that meet in a window, and those that they meet then, run together.
 #pragma once
 
+#include <algorithm>
+
 #include "exact_method.h"
 
 namespace ping_pong
@@ -21,16 +23,29 @@ inline Window ofWorker(WorldState& world, Window window, std::size_t worker)
   return window;
 }
 
-/// Calls action(world, its window, entry) for all entries of a list of balls or islands.
+/// Calls action(world, its window, entries, how many) for parts of a list of balls or islands.
 template <class Action>
-void eachOf(const std::vector<std::uint32_t>& list, WorldState& world, const Window& window, const Action& action)
+void partsOf(const std::vector<std::uint32_t>& list, WorldState& world, const Window& window, const Action& action)
 {
   constexpr std::size_t kAtATime = 8;
-  world.workers.each(list.size(), kAtATime,
-                     [&](std::size_t begin, std::size_t end, std::size_t worker)
-                     {
-                       const Window its = ofWorker(world, window, worker);
-                       for (std::size_t c = begin; c < end; ++c) action(world, its, list[c]);
-                     });
+  world.workers.each(list.size(), kAtATime, [&](std::size_t begin, std::size_t end, std::size_t worker)
+                     { action(world, ofWorker(world, window, worker), list.data() + begin, end - begin); });
+}
+
+/// Calls action(world, its window, entry) for all entries; some before, `ahead(world, entry)`: what that fetches has come by then.
+template <class Ahead, class Action>
+void eachOf(const std::vector<std::uint32_t>& list, WorldState& world, const Window& window, const Ahead& ahead, const Action& action)
+{
+  constexpr std::size_t kAhead = 3;
+  partsOf(list, world, window,
+          [&](WorldState& its_world, const Window& its, const std::uint32_t* entries, std::size_t count)
+          {
+            for (std::size_t c = 0; c < std::min(kAhead, count); ++c) ahead(its_world, entries[c]);
+            for (std::size_t c = 0; c < count; ++c)
+            {
+              if (c + kAhead < count) ahead(its_world, entries[c + kAhead]);
+              action(its_world, its, entries[c]);
+            }
+          });
 }
 }  // namespace ping_pong

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -37,10 +36,10 @@ inline unsigned lanesIn(LaneMask mask)
 #endif
 }
 
-/// So many lanes from the first one on, or all four.
-inline unsigned firstLanes(std::size_t count)
+/// So many, of lanes from the first one on; fewer than 32.
+inline unsigned lowestBits(std::size_t count)
 {
-  return (1u << std::min(count, kLanes)) - 1u;
+  return (1u << count) - 1u;
 }
 
 /// Four vectors.

@@ -11,6 +11,7 @@ namespace ping_pong
 namespace
 {
 constexpr double kMostChanges = 0.25;  // by ball: then it is time for a new grid
+constexpr std::size_t kListed = 8;     // balls for which is listed who is near, before the first one is looked at
 
 bool unchanged(const WorldState& world, const Meeting& meeting)
 {
@@ -58,8 +59,37 @@ void noteNext(const WorldState& world, const Window& window, std::uint32_t i, st
 
 void lookForNext(const WorldState& world, const Window& window, std::uint32_t i)
 {
-  world.islands.eachNear(i, boxAhead(world.balls[i], window.end, window.outlook), window.work->near,
-                         [&](std::uint32_t k) { noteNext(world, window, i, k); });
+  const IslandRecords& islands = world.islands;
+  NearList& near = window.work->near;
+  near.clear();
+  islands.listNear(boxAhead(world.balls[i], window.end, window.outlook), near);
+  islands.eachNear(i, near, 0, [&](std::uint32_t k) { noteNext(world, window, i, k); });
+}
+
+void lookAtListed(const WorldState& world, const Window& window, std::uint32_t i, std::size_t c)
+{
+  const IslandRecords& islands = world.islands;
+  const std::uint32_t root = islands.busy(i).root;
+  islands.eachNear(i, window.work->near, c,
+                   [&](std::uint32_t k)
+                   {
+                     if (!islands.isBusy(k) || islands.busy(k).root != root) return lookAtPair(world, window, i, k);
+                     if (k < i && world.balls[k].met) return;  // it looks for this one
+                     noteNext(world, window, i, k);
+                   });
+}
+
+void takeDueMeetings(Outlook& outlook, const Glances& glances, double end)
+{
+  std::vector<Meeting>& heap = outlook.meetings;
+  outlook.due.clear();
+  for (; !heap.empty() && static_cast<double>(heap.front().time) <= end; heap.pop_back())
+  {
+    std::pop_heap(heap.begin(), heap.end());
+    outlook.due.push_back(heap.back());
+    glances.fetch(heap.back().first);
+    glances.fetch(heap.back().second);
+  }
 }
 }  // namespace
 
@@ -86,30 +116,26 @@ void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, 
   noteEncounter(world, window, *window.work, i, k);
 }
 
-void lookAround(WorldState& world, const Window& window, std::uint32_t i)
+void lookAround(WorldState& world, const Window& window, const std::uint32_t* balls, std::size_t count)
 {
-  IslandRecords& islands = world.islands;
-  const IslandWork::Busy& mine = islands.busy(i);
-  islands.eachNear(i, mine.swept, window.work->near,
-                   [&](std::uint32_t k)
-                   {
-                     if (!islands.isBusy(k) || islands.busy(k).root != mine.root) return lookAtPair(world, window, i, k);
-                     if (k < i && world.balls[k].met) return;  // it looks for this one
-                     noteNext(world, window, i, k);
-                   });
+  const IslandRecords& islands = world.islands;
+  NearList& near = window.work->near;
+  for (std::size_t begin = 0; begin < count; begin += kListed)
+  {
+    const std::size_t end = std::min(begin + kListed, count);
+    near.clear();
+    for (std::size_t c = begin; c < end; ++c) islands.listNear(islands.busy(balls[c]).swept, near);
+    for (std::size_t c = begin; c < end; ++c) lookAtListed(world, window, balls[c], c - begin);
+  }
 }
 
 void takeMeetings(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
-  std::vector<Meeting>& heap = islands.outlook.meetings;
-  for (; !heap.empty() && static_cast<double>(heap.front().time) <= window.end; heap.pop_back())
-  {
-    std::pop_heap(heap.begin(), heap.end());
-    const Meeting meeting = heap.back();
-    // It may be later: the time was rounded, or the search for it had ended without an answer.
+  takeDueMeetings(islands.outlook, islands.glances, window.end);
+  // It may be later: the time was rounded, or the search for it had ended without an answer.
+  for (const Meeting& meeting : islands.outlook.due)
     if (unchanged(world, meeting)) noteEncounter(world, window, islands.work.front(), meeting.first, meeting.second);
-  }
   gather(islands);
 }
 
@@ -125,7 +151,7 @@ void lookAhead(WorldState& world, const Window& window)
       const BallRecord& ball = world.balls[busy.ball];
       if (ball.run() > 0 && !ball.met && !ball.away()) unhit.push_back(busy.ball);
     }
-  eachOf(unhit, world, window, lookForNext);
+  eachOf(unhit, world, window, [](const WorldState&, std::uint32_t) {}, lookForNext);
   gather(islands);
   if (static_cast<double>(islands.outlook.added.size()) > kMostChanges * static_cast<double>(world.balls.size()))
     islands.outlook.end = window.end;

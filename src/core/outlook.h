@@ -29,6 +29,7 @@ struct Outlook
 {
   double start = 0.0, end = 0.0;   ///< [s]
   std::vector<Meeting> meetings;   ///< a heap
+  std::vector<Meeting> due;        ///< in this window
   std::vector<std::uint32_t> added;  ///< balls whose paths have changed since it began, by each change
   std::size_t near_pairs = 0, pair_searches = 0, events = 0;  ///< since it began
 };
@@ -43,9 +44,9 @@ void beginOutlook(WorldState& world, const Window& window);
 /// ends, if so.
 void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, std::uint32_t k);
 
-/// Does so for ball i, whose path has changed, and all that are near. With those of its own island it has met what there was to
-/// meet: of them only what comes after the window is noted.
-void lookAround(WorldState& world, const Window& window, std::uint32_t i);
+/// Does so for these balls, whose paths have changed, and all that are near one of them. With those of its own island a ball has
+/// met what there was to meet: of them only what comes after the window is noted.
+void lookAround(WorldState& world, const Window& window, const std::uint32_t* balls, std::size_t count);
 
 /// Those who meet in this window on the paths that they are on are noted as having met.
 void takeMeetings(WorldState& world, const Window& window);

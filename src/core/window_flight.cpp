@@ -80,10 +80,7 @@ void takeDue(WorldState& world, double end, std::vector<std::uint32_t>& list)
   std::size_t kept = 0;
   for (const std::uint32_t i : islands.due)
     if (static_cast<double>(islands.glances[i].next) <= end)
-    {
-      world.fetch(i);
       list.push_back(i);
-    }
     else
       islands.due[kept++] = i;
   islands.due.resize(kept);
@@ -139,7 +136,7 @@ void flyOn(WorldState& world, const Window& window)
   IslandRecords& islands = world.islands;
   std::vector<std::uint32_t>& list = islands.near;
   takeDue(world, window.end, list);
-  eachOf(list, world, window,
+  eachOf(list, world, window, [](const WorldState& its_world, std::uint32_t i) { its_world.fetch(i); },
          [](WorldState& its_world, Window its, std::uint32_t i)
          {
            if (hasEvents(its_world, i, its.end)) runAlone(its_world, its, i);
@@ -153,7 +150,7 @@ void flyOn(WorldState& world, const Window& window)
     list[bent++] = i;
   }
   list.resize(bent);
-  eachOf(list, world, window, lookAround);
+  partsOf(list, world, window, lookAround);
   takeMeetings(world, window);
 }
 }  // namespace ping_pong

@@ -54,6 +54,7 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
   for (std::vector<std::uint32_t>* list : {&islands, &found, &near, &due, &outlook.added}) takeMemory(*list, meetings);
   takeMemory(near_boxes, balls);
   takeMemory(outlook.meetings, meetings);
+  takeMemory(outlook.due, meetings);
   takeMemory(order, 256 + 8 * balls);
   work.resize(workers);
   for (std::uint32_t worker = 0; worker < workers; ++worker)
@@ -63,7 +64,9 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     its.saved.reserve(balls);
     takeMemory(its.busy, balls);
     takeMemory(its.due, balls);
-    takeMemory(its.near, 4096);
+    takeMemory(its.near.entries, 32768);
+    takeMemory(its.near.ends, 16);
+    takeMemory(its.thrown, balls);
     takeMemory(its.members, balls);
     takeMemory(its.crowded, balls);
     takeMemory(its.met, meetings);

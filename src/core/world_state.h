@@ -152,6 +152,19 @@ struct Records
   bool any_squeezed = false;           ///< a ball may be
 };
 
+/// Who is near some balls: of one after the other, up to its end.
+struct NearList
+{
+  std::vector<std::uint32_t> entries;  ///< as BroadPhase lists them
+  std::vector<std::size_t> ends;
+
+  void clear()
+  {
+    entries.clear();
+    ends.clear();
+  }
+};
+
 /// What a worker has to do with a window, see islands.h.
 struct IslandWork : Records
 {
@@ -183,7 +196,8 @@ struct IslandWork : Records
   std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see handover.h
   std::vector<Meeting> meetings;      ///< after this window
   std::vector<std::uint32_t> due;     ///< see IslandRecords
-  std::vector<std::uint32_t> near;    ///< balls near another one
+  std::vector<std::uint32_t> thrown;  ///< balls that have left their paths
+  NearList near;
 };
 
 /// What the exact method keeps from window to window, see islands.h. Balls to which nothing
@@ -256,16 +270,22 @@ struct IslandRecords
     broad_phase.add(i, busy(i).swept);
   }
 
-  /// Calls action(k) for every other ball k whose box overlaps this one of ball i; for some twice.
-  template <class AnyBox, class Action>
-  void eachNear(std::uint32_t i, const AnyBox& box, std::vector<std::uint32_t>& list, const Action& action) const
+  /// Lists whose boxes overlap this one, for eachNear(): their glances come through memory until then.
+  template <class AnyBox>
+  void listNear(const AnyBox& box, NearList& list) const
   {
-    list.clear();
-    broad_phase.listOverlapping(box, list);
-    for (const std::uint32_t entry : list) glances.fetch(entry & ~BroadPhase::kAdded);
-    for (const std::uint32_t entry : list)
+    const std::size_t before = list.entries.size();
+    broad_phase.listOverlapping(box, list.entries);
+    for (std::size_t e = before; e < list.entries.size(); ++e) glances.fetch(list.entries[e] & ~BroadPhase::kAdded);
+    list.ends.push_back(list.entries.size());
+  }
+  /// Calls action(k) for every ball k but i itself that was listed in the c-th place; for some twice.
+  template <class Action>
+  void eachNear(std::uint32_t i, const NearList& list, std::size_t c, const Action& action) const
+  {
+    for (std::size_t e = c == 0 ? 0 : list.ends[c - 1]; e < list.ends[c]; ++e)
     {
-      const std::uint32_t k = entry & ~BroadPhase::kAdded;
+      const std::uint32_t entry = list.entries[e], k = entry & ~BroadPhase::kAdded;
       if (k != i && (entry != k || !glances[k].added)) action(k);
     }
   }
