@@ -1,6 +1,7 @@
 // Which boxes overlap: a uniform grid, made for many small balls of about one size. A box is in the cell of its lower corner and
-// no longer than a cell, so that it overlaps only what is in the 27 cells around. The few that are longer, and those that come
-// later, are in lists of all cells that they reach.
+// no longer than a cell, so that it overlaps only what is in the 27 cells around; of those, only rows that it reaches are
+// searched, from the slice of a cell in which a box may begin to the one in which it ends. The few that are longer, and those
+// that come later, are in lists of all cells that they reach.
 #pragma once
 
 #include <algorithm>
@@ -68,7 +69,7 @@ private:
   static constexpr int kPlaceBits = 29;      ///< of the three places in a corner,
   static constexpr int kLeastUnitBits = 2;   ///< of which along each axis at least so many are of units in a cell
   static constexpr std::size_t kFirst = 2 * kLanes;  ///< entries of a range that are compared in any case
-  static constexpr int kSliceBits = 2;
+  static constexpr int kSliceBits = 1;
   static constexpr std::size_t kSlices = 1u << kSliceBits;  ///< of a cell along x: where a row is searched, ends are cut off
 
   /// A place in units from the origin of the grid: x, y and z in one number, each below a bit that is zero. What is beyond
