@@ -57,26 +57,25 @@ void noteNext(const WorldState& world, const Window& window, std::uint32_t i, st
   if (t <= window.outlook) note(world, *window.work, i, k, t);
 }
 
-void lookForNext(const WorldState& world, const Window& window, std::uint32_t i)
+// Calls action(i, k) for each of these balls i and every other ball k whose box overlaps box(i); for some k twice.
+template <class BoxOfBall, class Action>
+void eachNearOf(const std::uint32_t* balls, std::size_t count, const IslandRecords& islands, NearList& near, const BoxOfBall& box,
+                const Action& action)
 {
-  const IslandRecords& islands = world.islands;
-  NearList& near = window.work->near;
-  near.clear();
-  islands.listNear(boxAhead(world.balls[i], window.end, window.outlook), near);
-  islands.eachNear(i, near, 0, [&](std::uint32_t k) { noteNext(world, window, i, k); });
+  for (std::size_t begin = 0; begin < count; begin += kListed)
+  {
+    const std::size_t end = std::min(begin + kListed, count);
+    near.clear();
+    for (std::size_t b = begin; b < end; ++b) islands.listNear(box(balls[b]), near);
+    for (std::size_t b = begin; b < end; ++b) islands.eachNear(balls[b], near, b - begin, [&](std::uint32_t k) { action(balls[b], k); });
+  }
 }
 
-void lookAtListed(const WorldState& world, const Window& window, std::uint32_t i, std::size_t c)
+void lookForNext(const WorldState& world, const Window& window, const std::uint32_t* balls, std::size_t count)
 {
-  const IslandRecords& islands = world.islands;
-  const std::uint32_t root = islands.busy(i).root;
-  islands.eachNear(i, window.work->near, c,
-                   [&](std::uint32_t k)
-                   {
-                     if (!islands.isBusy(k) || islands.busy(k).root != root) return lookAtPair(world, window, i, k);
-                     if (k < i && world.balls[k].met) return;  // it looks for this one
-                     noteNext(world, window, i, k);
-                   });
+  eachNearOf(balls, count, world.islands, window.work->near,
+             [&](std::uint32_t i) { return boxAhead(world.balls[i], window.end, window.outlook); },
+             [&](std::uint32_t i, std::uint32_t k) { noteNext(world, window, i, k); });
 }
 
 void takeDueMeetings(Outlook& outlook, const Glances& glances, double end)
@@ -119,14 +118,13 @@ void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, 
 void lookAround(WorldState& world, const Window& window, const std::uint32_t* balls, std::size_t count)
 {
   const IslandRecords& islands = world.islands;
-  NearList& near = window.work->near;
-  for (std::size_t begin = 0; begin < count; begin += kListed)
-  {
-    const std::size_t end = std::min(begin + kListed, count);
-    near.clear();
-    for (std::size_t c = begin; c < end; ++c) islands.listNear(islands.busy(balls[c]).swept, near);
-    for (std::size_t c = begin; c < end; ++c) lookAtListed(world, window, balls[c], c - begin);
-  }
+  eachNearOf(balls, count, islands, window.work->near, [&](std::uint32_t i) -> const CoarseBox& { return islands.busy(i).swept; },
+             [&](std::uint32_t i, std::uint32_t k)
+             {
+               if (!islands.isBusy(k) || islands.busy(k).root != islands.busy(i).root) return lookAtPair(world, window, i, k);
+               if (k < i && world.balls[k].met) return;  // it looks for this one
+               noteNext(world, window, i, k);
+             });
 }
 
 void takeMeetings(WorldState& world, const Window& window)
@@ -151,7 +149,7 @@ void lookAhead(WorldState& world, const Window& window)
       const BallRecord& ball = world.balls[busy.ball];
       if (ball.run() > 0 && !ball.met && !ball.away()) unhit.push_back(busy.ball);
     }
-  eachOf(unhit, world, window, [](const WorldState&, std::uint32_t) {}, lookForNext);
+  partsOf(unhit, world, window, lookForNext);
   gather(islands);
   if (static_cast<double>(islands.outlook.added.size()) > kMostChanges * static_cast<double>(world.balls.size()))
     islands.outlook.end = window.end;

@@ -126,8 +126,13 @@ void flyAnew(WorldState& world, const Window& window)
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
                        const Window its = ofWorker(world, window, worker);
-                       grid.eachPairs(begin, end, [&](std::uint32_t i, std::uint32_t k) { islands.glances.fetch(i), islands.glances.fetch(k); },
-                                      [&](const BroadPhase::Pair* pairs, std::size_t count) { lookAtPairs(world, its, pairs, count); });
+                       const auto fetch = [&](std::uint32_t i, std::uint32_t k)
+                       {
+                         islands.glances.fetch(i);
+                         islands.glances.fetch(k);
+                       };
+                       grid.eachPairs(begin, end, fetch, [&](const BroadPhase::Pair* pairs, std::size_t count)
+                                      { lookAtPairs(world, its, pairs, count); });
                      });
 }
 
