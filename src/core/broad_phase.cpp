@@ -109,6 +109,7 @@ void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
   row_ = static_cast<std::size_t>(axes_[0].cells);
   layer_ = row_ * static_cast<std::size_t>(axes_[1].cells);
   cells_ = layer_ * static_cast<std::size_t>(axes_[2].cells);
+  slices_ = kSlices * cells_;
 }
 
 void BroadPhase::addToLists(const Extent& extent, std::uint32_t index)
@@ -126,12 +127,17 @@ void BroadPhase::addToLists(const Extent& extent, std::uint32_t index)
            });
 }
 
+void BroadPhase::add(const std::vector<Addition>& list)
+{
+  for (const Addition& one : list) addToLists(one.extent, one.index);
+}
+
 void BroadPhase::sort()
 {
   count(Law::BroadPhase);
   links_.clear();
   everywhere_.clear();
-  start_.assign(kSlices * cells_ + 3, 0);
+  start_.assign(slices_ + 3, 0);
   for (const std::uint32_t range : range_) ++start_[range];
   std::uint32_t total = 0;
   for (std::uint32_t& start : start_)
@@ -142,8 +148,8 @@ void BroadPhase::sort()
     index_[place] = static_cast<std::uint32_t>(i);
     entries_[place] = placed_[i];
   }
-  in_cells_ = start_[kSlices * cells_];
-  boxes_ = start_[kSlices * cells_ + 1];
+  in_cells_ = start_[slices_];
+  boxes_ = start_[slices_ + 1];
   for (std::size_t p = in_cells_; p < boxes_; ++p) addToLists(entries_[p], index_[p]);
 }
 }  // namespace ping_pong

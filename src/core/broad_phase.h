@@ -22,6 +22,7 @@ class BroadPhase
 public:
   static constexpr std::uint32_t kAdded = 1u << 31;  ///< of the index of a box that was added
   using Pair = std::array<std::uint32_t, 2>;         ///< indices of boxes
+  struct Addition;
 
   void reserve(std::size_t boxes);
 
@@ -54,12 +55,14 @@ public:
               });
   }
 
-  /// Until the boxes are sorted again this one is there, too, under an index of the caller's.
+  /// What add() needs to know of this box; by any worker, for a list of its own.
   template <class AnyBox>
-  void add(std::uint32_t index, const AnyBox& box)
+  void announce(std::uint32_t index, const AnyBox& box, std::vector<Addition>& list) const
   {
-    if (!box.empty()) addToLists(extentOf(box), index | kAdded);
+    if (!box.empty()) list.push_back({extentOf(box), index | kAdded});
   }
+  /// Until the boxes are sorted again these are there, too.
+  void add(const std::vector<Addition>& list);
   /// Appends the index of each that overlaps this box, once, with kAdded for those that were.
   template <class AnyBox>
   void listOverlapping(const AnyBox& box, std::vector<std::uint32_t>& list) const;
@@ -190,18 +193,25 @@ private:
   Corner borrows_ = 0;                          ///< the bits between places
   Corner longest_ = 0;                          ///< edges of a cell
   std::size_t row_ = 3, layer_ = 9, cells_ = 27;  ///< cells
+  std::size_t slices_ = kSlices * 27;           ///< of all cells
   int slice_shift_ = 0;                         ///< of a slice along x in a corner
   std::size_t slice_mask_ = 0;
   std::size_t boxes_ = 0;                       ///< that are not empty
   std::size_t in_cells_ = 0;                    ///< of these; those that are too long come after them
   std::vector<Extent> placed_;                  ///< by index
-  std::vector<std::uint32_t> range_;            ///< of each: its slice, kSlices * cells_ if it is in none, or one more if it is empty
+  std::vector<std::uint32_t> range_;            ///< of each: its slice, slices_ if it is in none, or one more if it is empty
   std::vector<std::uint32_t> start_;            ///< of each range in entries_
   std::vector<Extent> entries_;                 ///< by range; some more after them, to be read but not told
   std::vector<std::uint32_t> index_;            ///< of each entry
   std::vector<std::uint32_t> last_link_;        ///< of each cell
   std::vector<Listed> links_;
   std::vector<Listed> everywhere_;              ///< those in no list of a cell
+};
+
+struct BroadPhase::Addition
+{
+  Extent extent;
+  std::uint32_t index;
 };
 
 template <class AnyBox>
@@ -275,11 +285,11 @@ inline bool BroadPhase::fits(const Extent& extent) const
 template <class AnyBox>
 void BroadPhase::put(std::uint32_t index, const AnyBox& box)
 {
-  std::size_t range = kSlices * cells_ + 1;
+  std::size_t range = slices_ + 1;
   if (!box.empty())
   {
     const Extent extent = placed_[index] = extentOf(box);
-    range = fits(extent) ? sliceOf(extent.low()) : kSlices * cells_;
+    range = fits(extent) ? sliceOf(extent.low()) : slices_;
   }
   range_[index] = static_cast<std::uint32_t>(range);
 }

@@ -6,9 +6,9 @@
 namespace ping_pong
 {
 /// Counts a contact: a new record at the end of the list, to be filled in place, or nullptr if none are kept.
-inline Contact* newContact(Records& records, const BallRecord& ball, std::size_t i)
+inline Contact* newContact(Records& records, std::size_t i)
 {
-  records.origins.push_back({static_cast<std::uint32_t>(i), ball.run()});
+  records.origins.push_back({static_cast<std::uint32_t>(i), records.run});
   ++records.status.contacts;
   return records.keep_contacts ? &records.contacts.emplace_back() : nullptr;
 }
@@ -29,7 +29,7 @@ struct Impact
 inline void recordBodyContact(Records& records, const BallRecord& ball, std::size_t i, const Event& event,
                               const Impact& impact, const Vector3d& n_W, const Vector3d& u, double t)
 {
-  Contact* contact = newContact(records, ball, i);
+  Contact* contact = newContact(records, i);
   if (!contact) return;
   contact->time = t;
   contact->ball = ball.id;

@@ -160,7 +160,7 @@ void recordBallContact(Records& records, const BallRecord& a, std::size_t i, con
                        const BallState& after_a, const Vector3d& v_other, const Vector3d& n, const Vector3d& impulse,
                        double t)
 {
-  Contact* contact = newContact(records, a, i);
+  Contact* contact = newContact(records, i);
   if (!contact) return;
   contact->time = t;
   contact->ball = a.id;
@@ -180,7 +180,7 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
 {
   BallRecord& a = world.balls[i];
   BallRecord& b = world.balls[k];
-  a.met = b.met = true;
+  world.islands.busy(i).met = world.islands.busy(k).met = true;
   BallState state_a = a.stateAt(t);
   BallState state_b = b.stateAt(t);
   const Vector3d n = (state_a.p_WB - state_b.p_WB).normalized();

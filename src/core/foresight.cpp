@@ -108,7 +108,12 @@ void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end
   Event next;
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
     if (world.bodies[b].moving && !ball.away()) lookAtMovingBody(ball, world.bodies[b], b, t, window_end, next);
-  if (ball.passing || next.time < kNever) ball.passing.make().moving = next;
+  if (next.time < kNever)
+    ball.passing.make().moving = next;
+  else if (ball.meetsBall() < kNever)
+    ball.passing->moving = next;
+  else
+    ball.passing.reset();
 }
 
 bool stillTrue(const WorldState& world, const Event& event)

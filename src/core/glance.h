@@ -28,10 +28,11 @@ struct alignas(64) Glance
   std::uint8_t kind = 0;   ///< entry in Glances::kinds
   bool bent : 1;           ///< the ball has left a path in this window,
   bool added : 1;          ///< or in one before since the grid was built, or may have
+  bool due : 1;            ///< it is in a list, see IslandWork::due
   double start = 0.0;      ///< of the path [s]
   Vector3d p, v;           ///< there, in W [m, m/s]
 
-  Glance() : bent(false), added(false) {}
+  Glance() : bent(false), added(false), due(false) {}
 };
 static_assert(sizeof(Glance) == 64, "a line of the cache");
 
@@ -66,6 +67,7 @@ public:
   const Glance& operator[](std::size_t i) const { return list_[i]; }
   Glance& operator[](std::size_t i) { return list_[i]; }
   const GlanceKind& kindOf(const Glance& glance) const { return kinds_[glance.kind]; }
+  bool away(std::size_t i) const { return kindOf(list_[i]).how == GlanceKind::How::Away; }
 
 private:
   static constexpr std::size_t kMostKinds = 16;

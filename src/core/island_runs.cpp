@@ -44,14 +44,14 @@ void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::
 void backToStart(WorldState& world, IslandWork& work, std::size_t i)
 {
   IslandRecords& islands = world.islands;
-  BallRecord& ball = world.balls[i];
-  const std::uint32_t saved = islands.busy(i).saved;
-  if (saved == IslandRecords::kNoEntry)
+  IslandWork::Busy& busy = islands.busy(i);
+  if (busy.saved == IslandRecords::kNoEntry)
     save(world, work, i);
   else
-    ball = islands.saved(saved);
+    world.balls[i] = islands.saved(busy.saved);
   forgetFlown(islands, i);
-  ball.passing.make().run = islands.runs;
+  busy.run = islands.runs;
+  busy.met = busy.listed = false;
 }
 
 // Event by event, from the start of the window. Nobody outside is looked at.
@@ -60,6 +60,7 @@ void runIsland(WorldState& world, Window window, std::uint32_t root)
   IslandWork& work = *window.work;
   const std::vector<std::size_t>& members = work.members;
   gatherMembers(world.islands, root, work.members);
+  work.run = world.islands.runs;
   for (const std::size_t i : members) backToStart(world, work, i);
   for (std::size_t m = 0; m < members.size(); ++m)
     for (std::size_t n = m + 1; n < members.size(); ++n)
@@ -68,7 +69,13 @@ void runIsland(WorldState& world, Window window, std::uint32_t root)
   window.count = members.size();
   window.most_events = mostEvents(world, members);
   if (!runTogether(world, window)) work.crowded.insert(work.crowded.end(), members.begin(), members.end());
-  for (const std::size_t i : members) noteLast(world, window, i);
+  work.run = 0;
+  for (const std::size_t i : members)
+  {
+    world.balls[i].expectNoBall();
+    noteLast(world, window, i);
+    if (world.islands.busy(i).met) world.islands.announce(work, static_cast<std::uint32_t>(i));
+  }
 }
 
 void fetchIsland(const WorldState& world, std::uint32_t root)
@@ -77,15 +84,23 @@ void fetchIsland(const WorldState& world, std::uint32_t root)
   world.fetch(world.islands.busy(root).next);
 }
 
+void runIslandParts(WorldState& world, const Window& window, const std::uint32_t* roots, std::size_t count)
+{
+  inTurn(roots, count, [&world](std::uint32_t root) { fetchIsland(world, root); },
+         [&](std::uint32_t root) { runIsland(world, window, root); });
+}
+
 // Calls action(ball) for each that was hit.
 template <class Action>
 void eachThrown(const WorldState& world, std::uint32_t root, const Action& action)
 {
   const IslandRecords& islands = world.islands;
-  for (std::uint32_t i = islands.busy(root).next;; i = islands.busy(i).next)
+  for (std::uint32_t i = islands.busy(root).next;;)
   {
-    if (world.balls[i].met) action(i);
+    const IslandWork::Busy& busy = islands.busy(i);
+    if (busy.met) action(i);
     if (i == root) return;
+    i = busy.next;
   }
 }
 
@@ -96,12 +111,6 @@ void findWhoWasMet(WorldState& world, const Window& window, const std::uint32_t*
   thrown.clear();
   for (std::size_t r = 0; r < count; ++r) eachThrown(world, roots[r], [&thrown](std::uint32_t i) { thrown.push_back(i); });
   lookAround(world, window, thrown.data(), thrown.size());
-}
-
-void addWhoWasThrown(WorldState& world)
-{
-  IslandRecords& islands = world.islands;
-  for (const std::uint32_t root : islands.islands) eachThrown(world, root, [&islands](std::uint32_t i) { islands.addToGrid(i); });
 }
 }  // namespace
 
@@ -124,21 +133,26 @@ void uniteWhoMet(WorldState& world)
       islands.makeBusy(work, k);
       unite(islands, i, k);
     }
+  // In the order of the workers who have found them: those are near each other in the room, and in the cache of a core.
   for (IslandWork& work : islands.work)
   {
-    for (const auto& pair : work.met) islands.islands.push_back(rootOf(islands, pair[0]));
+    for (const auto& pair : work.met)
+    {
+      const std::uint32_t root = rootOf(islands, pair[0]);
+      if (islands.busy(root).listed) continue;
+      islands.busy(root).listed = true;
+      islands.islands.push_back(root);
+    }
     work.met.clear();
   }
-  std::sort(islands.islands.begin(), islands.islands.end());
-  islands.islands.erase(std::unique(islands.islands.begin(), islands.islands.end()), islands.islands.end());
 }
 
 void runIslandsOnce(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
   ++islands.runs;
-  eachOf(islands.islands, world, window, fetchIsland, runIsland);
-  addWhoWasThrown(world);
+  partsOf(islands.islands, world, window, runIslandParts);
+  islands.addToGrid();
   partsOf(islands.islands, world, window, findWhoWasMet);
   uniteWhoMet(world);
 }

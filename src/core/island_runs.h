@@ -32,20 +32,28 @@ void partsOf(const std::vector<std::uint32_t>& list, WorldState& world, const Wi
                      { action(world, ofWorker(world, window, worker), list.data() + begin, end - begin); });
 }
 
-/// Calls action(world, its window, entry) for all entries; some before, `ahead(world, entry)`: what that fetches has come by then.
+/// Calls action(world, its window, a worker's lists) for the lists of each worker, by this one or another.
+template <class Action>
+void eachList(WorldState& world, const Window& window, const Action& action)
+{
+  world.workers.each(world.islands.work.size(), 1,
+                     [&](std::size_t begin, std::size_t end, std::size_t worker)
+                     {
+                       for (std::size_t l = begin; l < end; ++l)
+                         action(world, ofWorker(world, window, worker), world.islands.work[l]);
+                     });
+}
+
+/// Calls action(entry) for all entries; some before, ahead(entry): what that fetches has come by then.
 template <class Ahead, class Action>
-void eachOf(const std::vector<std::uint32_t>& list, WorldState& world, const Window& window, const Ahead& ahead, const Action& action)
+void inTurn(const std::uint32_t* entries, std::size_t count, const Ahead& ahead, const Action& action)
 {
   constexpr std::size_t kAhead = 3;
-  partsOf(list, world, window,
-          [&](WorldState& its_world, const Window& its, const std::uint32_t* entries, std::size_t count)
-          {
-            for (std::size_t c = 0; c < std::min(kAhead, count); ++c) ahead(its_world, entries[c]);
-            for (std::size_t c = 0; c < count; ++c)
-            {
-              if (c + kAhead < count) ahead(its_world, entries[c + kAhead]);
-              action(its_world, its, entries[c]);
-            }
-          });
+  for (std::size_t c = 0; c < std::min(kAhead, count); ++c) ahead(entries[c]);
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    if (c + kAhead < count) ahead(entries[c + kAhead]);
+    action(entries[c]);
+  }
 }
 }  // namespace ping_pong

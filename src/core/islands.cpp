@@ -23,37 +23,30 @@ double pairSearches(const IslandRecords& islands)
   return 0.125 * static_cast<double>(eighths);
 }
 
-// As between windows: only moving bodies are still foreseen, for the rest of the tick.
-void alone(BallRecord& ball)
-{
-  ball.met = false;
-  if (!ball.passing) return;
-  if (ball.meetsMoving() == kNever) return ball.passing.reset();
-  ball.passing->run = 0;
-  ball.passing->ball = Event();
-}
-
 // Whatever has been done to the balls.
 void startAnew(WorldState& world)
 {
   IslandRecords& islands = world.islands;
   islands.glances.lookAtAll(world.balls);
   islands.busy_at.assign(world.balls.size(), IslandRecords::kNoEntry);
-  for (BallRecord& ball : world.balls) alone(ball);
+  for (IslandWork& work : islands.work)  // of glances that are no more
+  {
+    work.added.clear();
+    work.due.clear();
+  }
 }
 
 // As it was before this window, for those that are not.
 void forgetIslands(WorldState& world, bool ahead)
 {
   IslandRecords& islands = world.islands;
-  for (const IslandWork& work : islands.work)
+  for (IslandWork& work : islands.work)
     for (const IslandWork::Busy& busy : work.busy)
     {
       const std::uint32_t i = busy.ball;
       islands.busy_at[i] = IslandRecords::kNoEntry;
-      alone(world.balls[i]);
       islands.glances[i].bent = false;
-      if (ahead && isDue(islands, i)) islands.due.push_back(i);
+      if (ahead && isDue(islands, i)) islands.noteDue(work, i);
     }
 }
 

@@ -19,21 +19,6 @@ bool unchanged(const WorldState& world, const Meeting& meeting)
   return glances[meeting.first].version == meeting.first_version && glances[meeting.second].version == meeting.second_version;
 }
 
-void push(Outlook& outlook, const Meeting& meeting)
-{
-  outlook.meetings.push_back(meeting);
-  std::push_heap(outlook.meetings.begin(), outlook.meetings.end());
-}
-
-void gather(IslandRecords& islands)
-{
-  for (IslandWork& work : islands.work)
-  {
-    for (const Meeting& meeting : work.meetings) push(islands.outlook, meeting);
-    work.meetings.clear();
-  }
-}
-
 void note(const WorldState& world, IslandWork& work, std::uint32_t i, std::uint32_t k, double t)
 {
   const Glances& glances = world.islands.glances;
@@ -77,19 +62,6 @@ void lookForNext(const WorldState& world, const Window& window, const std::uint3
              [&](std::uint32_t i) { return boxAhead(world.balls[i], window.end, window.outlook); },
              [&](std::uint32_t i, std::uint32_t k) { noteNext(world, window, i, k); });
 }
-
-void takeDueMeetings(Outlook& outlook, const Glances& glances, double end)
-{
-  std::vector<Meeting>& heap = outlook.meetings;
-  outlook.due.clear();
-  for (; !heap.empty() && static_cast<double>(heap.front().time) <= end; heap.pop_back())
-  {
-    std::pop_heap(heap.begin(), heap.end());
-    outlook.due.push_back(heap.back());
-    glances.fetch(heap.back().first);
-    glances.fetch(heap.back().second);
-  }
-}
 }  // namespace
 
 Box boxAhead(const BallRecord& ball, double from, double to)
@@ -99,13 +71,18 @@ Box boxAhead(const BallRecord& ball, double from, double to)
 
 void beginOutlook(WorldState& world, const Window& window)
 {
-  Outlook& outlook = world.islands.outlook;
+  IslandRecords& islands = world.islands;
+  Outlook& outlook = islands.outlook;
   outlook.start = window.start;
   outlook.end = window.outlook;
-  outlook.meetings.clear();
-  for (IslandWork& work : world.islands.work) work.meetings.clear();
-  for (const std::uint32_t i : outlook.added) world.islands.glances[i].added = false;
-  outlook.added.clear();
+  for (IslandWork& work : islands.work)
+  {
+    work.meetings.clear();
+    for (const std::uint32_t i : work.added) islands.glances[i].added = false;
+    work.added.clear();
+    for (const std::uint32_t i : work.due) islands.glances[i].due = false;
+    work.due.clear();
+  }
   outlook.near_pairs = outlook.pair_searches = outlook.events = 0;
 }
 
@@ -122,36 +99,51 @@ void lookAround(WorldState& world, const Window& window, const std::uint32_t* ba
              [&](std::uint32_t i, std::uint32_t k)
              {
                if (!islands.isBusy(k) || islands.busy(k).root != islands.busy(i).root) return lookAtPair(world, window, i, k);
-               if (k < i && world.balls[k].met) return;  // it looks for this one
+               if (k < i && islands.busy(k).met) return;  // it looks for this one
                noteNext(world, window, i, k);
              });
 }
 
-void takeMeetings(WorldState& world, const Window& window)
+void takeMeetings(IslandWork& list, const Glances& glances, double end)
 {
-  IslandRecords& islands = world.islands;
-  takeDueMeetings(islands.outlook, islands.glances, window.end);
-  // It may be later: the time was rounded, or the search for it had ended without an answer.
-  for (const Meeting& meeting : islands.outlook.due)
-    if (unchanged(world, meeting)) noteEncounter(world, window, islands.work.front(), meeting.first, meeting.second);
-  gather(islands);
+  list.due_meetings.clear();
+  std::size_t kept = 0;
+  for (const Meeting& meeting : list.meetings)
+  {
+    if (static_cast<double>(meeting.time) > end)
+    {
+      list.meetings[kept++] = meeting;
+      continue;
+    }
+    list.due_meetings.push_back(meeting);
+    glances.fetch(meeting.first);
+    glances.fetch(meeting.second);
+  }
+  list.meetings.resize(kept);
+}
+
+// It may be later: the time was rounded, or the search for it had ended without an answer.
+void lookAtMeetings(const WorldState& world, const Window& window, const std::vector<Meeting>& meetings)
+{
+  for (const Meeting& meeting : meetings)
+    if (unchanged(world, meeting)) noteEncounter(world, window, *window.work, meeting.first, meeting.second);
 }
 
 // Whoever was in an island, but has not been hit, was thought to have met someone: what comes after that has not been looked for.
 void lookAhead(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
-  std::vector<std::uint32_t>& unhit = islands.near;
-  unhit.clear();
-  for (const IslandWork& work : islands.work)
-    for (const IslandWork::Busy& busy : work.busy)
-    {
-      const BallRecord& ball = world.balls[busy.ball];
-      if (ball.run() > 0 && !ball.met && !ball.away()) unhit.push_back(busy.ball);
-    }
-  partsOf(unhit, world, window, lookForNext);
-  gather(islands);
-  if (static_cast<double>(islands.outlook.added.size()) > kMostChanges * static_cast<double>(world.balls.size()))
-    islands.outlook.end = window.end;
+  eachList(world, window,
+           [&islands](WorldState& its_world, const Window& its, const IslandWork& list)
+           {
+             std::vector<std::uint32_t>& unhit = its.work->thrown;
+             unhit.clear();
+             for (const IslandWork::Busy& busy : list.busy)
+               if (busy.run > 0 && !busy.met && !islands.glances.away(busy.ball)) unhit.push_back(busy.ball);
+             lookForNext(its_world, its, unhit.data(), unhit.size());
+           });
+  std::size_t added = 0;
+  for (const IslandWork& work : islands.work) added += work.added.size();
+  if (static_cast<double>(added) > kMostChanges * static_cast<double>(world.balls.size())) islands.outlook.end = window.end;
 }
 }  // namespace ping_pong

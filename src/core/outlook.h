@@ -14,6 +14,7 @@ struct BallRecord;
 struct WorldState;
 struct Window;
 struct IslandWork;
+class Glances;
 
 /// Two balls meet at this time if neither changes its path before. Whoever takes it looks again.
 struct Meeting
@@ -21,16 +22,11 @@ struct Meeting
   float time;                                  ///< no later than that [s]
   std::uint32_t first, second;                 ///< indices of balls
   std::uint16_t first_version, second_version; ///< of their paths: the last bits
-
-  bool operator<(const Meeting& other) const { return time > other.time; }  // the earliest is on top of a heap
 };
 
 struct Outlook
 {
   double start = 0.0, end = 0.0;   ///< [s]
-  std::vector<Meeting> meetings;   ///< a heap
-  std::vector<Meeting> due;        ///< in this window
-  std::vector<std::uint32_t> added;  ///< balls whose paths have changed since it began, by each change
   std::size_t near_pairs = 0, pair_searches = 0, events = 0;  ///< since it began
 };
 
@@ -48,8 +44,11 @@ void lookAtPair(const WorldState& world, const Window& window, std::uint32_t i, 
 /// met what there was to meet: of them only what comes after the window is noted.
 void lookAround(WorldState& world, const Window& window, const std::uint32_t* balls, std::size_t count);
 
-/// Those who meet in this window on the paths that they are on are noted as having met.
-void takeMeetings(WorldState& world, const Window& window);
+/// Who meets in this window, as far as it has been foreseen, goes into another list.
+void takeMeetings(IslandWork& list, const Glances& glances, double end);
+
+/// Those of them who do, on the paths that they are on, are noted as having met.
+void lookAtMeetings(const WorldState& world, const Window& window, const std::vector<Meeting>& meetings);
 
 /// At the end of a window: looks for whom those meet next who were thought to have met someone but have not, and ends the
 /// outlook if too many have changed.

@@ -10,7 +10,7 @@ namespace
 // happened.
 bool happened(const WorldState& world, const ContactOrigin& origin)
 {
-  return origin.run == world.balls[origin.ball].run();
+  return origin.run == (world.islands.isBusy(origin.ball) ? world.islands.busy(origin.ball).run : 0u);
 }
 
 // Of the contacts from the first on, those that have happened.

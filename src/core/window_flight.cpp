@@ -62,30 +62,38 @@ void lookAtPairs(const WorldState& world, const Window& window, const BroadPhase
   for (std::size_t p = 0; p < count; ++p) lookAtPair(world, window, pairs[p][0], pairs[p][1]);
 }
 
-void gatherDue(IslandRecords& islands)
+// Whose event may be until then.
+void takeDue(IslandWork& list, Glances& glances, double end)
 {
-  islands.due.clear();
-  for (IslandWork& work : islands.work)
-  {
-    islands.due.insert(islands.due.end(), work.due.begin(), work.due.end());
-    work.due.clear();
-  }
+  list.turn.clear();
+  std::size_t kept = 0;
+  for (const std::uint32_t i : list.due)
+    if (static_cast<double>(glances[i].next) <= end)
+    {
+      glances[i].due = false;
+      list.turn.push_back(i);
+    }
+    else
+      list.due[kept++] = i;
+  list.due.resize(kept);
 }
 
-// Those whose event may be until then, each once.
-void takeDue(WorldState& world, double end, std::vector<std::uint32_t>& list)
+// Whoever has left its path stays in the list.
+void runInTurn(WorldState& world, const Window& window, IslandWork& list)
 {
   IslandRecords& islands = world.islands;
-  list.clear();
-  std::size_t kept = 0;
-  for (const std::uint32_t i : islands.due)
-    if (static_cast<double>(islands.glances[i].next) <= end)
-      list.push_back(i);
-    else
-      islands.due[kept++] = i;
-  islands.due.resize(kept);
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+  std::size_t bent = 0;
+  inTurn(list.turn.data(), list.turn.size(), [&world](std::uint32_t i) { world.fetch(i); },
+         [&](std::uint32_t i)
+         {
+           if (!hasEvents(world, i, window.end)) return islands.noteDue(list, i);  // later: its time was rounded
+           Window its = window;
+           runAlone(world, its, i);
+           if (!islands.glances[i].bent) return;
+           islands.announce(*window.work, i);
+           list.turn[bent++] = i;
+         });
+  list.turn.resize(bent);
 }
 }  // namespace
 
@@ -117,11 +125,10 @@ void flyAnew(WorldState& world, const Window& window)
              else
              {
                grid.put(i, quietBox(world, window, i));
-               if (ahead && isDue(islands, i)) its.work->due.push_back(i);
+               if (ahead && isDue(islands, i)) islands.noteDue(*its.work, i);
              }
            });
   grid.sort();
-  gatherDue(islands);
   world.workers.each(grid.boxes(), kBalls,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
@@ -138,24 +145,19 @@ void flyAnew(WorldState& world, const Window& window)
 
 void flyOn(WorldState& world, const Window& window)
 {
-  IslandRecords& islands = world.islands;
-  std::vector<std::uint32_t>& list = islands.near;
-  takeDue(world, window.end, list);
-  eachOf(list, world, window, [](const WorldState& its_world, std::uint32_t i) { its_world.fetch(i); },
-         [](WorldState& its_world, Window its, std::uint32_t i)
-         {
-           if (hasEvents(its_world, i, its.end)) runAlone(its_world, its, i);
-         });
-  std::size_t bent = 0;
-  for (const std::uint32_t i : list)
-  {
-    if (!islands.isBusy(i)) islands.due.push_back(i);  // later: its time was rounded
-    if (!islands.glances[i].bent) continue;
-    islands.addToGrid(i);
-    list[bent++] = i;
-  }
-  list.resize(bent);
-  partsOf(list, world, window, lookAround);
-  takeMeetings(world, window);
+  eachList(world, window,
+           [](WorldState& its_world, const Window& its, IslandWork& list)
+           {
+             takeDue(list, its_world.islands.glances, its.end);
+             runInTurn(its_world, its, list);
+             takeMeetings(list, its_world.islands.glances, its.end);
+           });
+  world.islands.addToGrid();
+  eachList(world, window,
+           [](WorldState& its_world, const Window& its, const IslandWork& list)
+           {
+             lookAround(its_world, its, list.turn.data(), list.turn.size());
+             lookAtMeetings(its_world, its, list.due_meetings);
+           });
 }
 }  // namespace ping_pong

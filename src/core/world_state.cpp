@@ -51,10 +51,8 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
   glances.reserve(balls);
   takeMemory(busy_at, balls);
   const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
-  for (std::vector<std::uint32_t>* list : {&islands, &found, &near, &due, &outlook.added}) takeMemory(*list, meetings);
+  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) takeMemory(*list, meetings);
   takeMemory(near_boxes, balls);
-  takeMemory(outlook.meetings, meetings);
-  takeMemory(outlook.due, meetings);
   takeMemory(order, 256 + 8 * balls);
   work.resize(workers);
   for (std::uint32_t worker = 0; worker < workers; ++worker)
@@ -63,7 +61,9 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     its.worker = worker;
     its.saved.reserve(balls);
     takeMemory(its.busy, balls);
-    takeMemory(its.due, balls);
+    for (std::vector<std::uint32_t>* list : {&its.due, &its.turn}) takeMemory(*list, balls);
+    takeMemory(its.added, meetings);
+    takeMemory(its.announced, meetings);
     takeMemory(its.near.entries, 32768);
     takeMemory(its.near.ends, 16);
     takeMemory(its.thrown, balls);
@@ -71,6 +71,7 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     takeMemory(its.crowded, balls);
     takeMemory(its.met, meetings);
     takeMemory(its.meetings, meetings);
+    takeMemory(its.due_meetings, meetings);
     takeMemory(its.pieces, 2048 + 4 * balls);
     if (worker == 0) continue;  // it writes to the world's lists
     takeMemory(its.contacts, 256 + 8 * balls);

@@ -47,9 +47,8 @@ struct Event
 /// What concerns a ball in this window only, and not all balls.
 struct Passing
 {
-  Event moving;           ///< with moving bodies
-  Event ball;             ///< with balls of the same island; none between windows
-  std::uint32_t run = 0;  ///< of its island: what an earlier run has recorded has not happened; 0 between windows
+  Event moving;  ///< with moving bodies
+  Event ball;    ///< with balls of the same island, while that runs
 };
 
 /// Thousands of them are a long way through memory: what many have in common, and what few have, is elsewhere, and small
@@ -62,7 +61,6 @@ struct BallRecord
   bool piled : 1;          ///< handed over to the pile, see handover.h
   bool asleep : 1;         ///< in the pile, see pile.h
   bool overflows : 1;      ///< a step of fixed length from here has no finite end: the path goes straight on
-  bool met : 1;            ///< has hit a ball in this window; false between windows
   std::uint16_t crush = 0;        ///< contacts in even quicker succession than a streak's
   std::uint8_t streak = 0;        ///< contacts in quick succession, see streak.h
   std::uint8_t crowding = 0;      ///< contacts with other balls since `crowded_since`, see handover.h
@@ -75,7 +73,7 @@ struct BallRecord
   std::uint32_t version = 0;      ///< of the path
 
   BallRecord(BallId its_id, const BallType& its_type)
-    : type(&its_type), squeezed(false), piled(false), asleep(false), overflows(false), met(false), id(its_id)
+    : type(&its_type), squeezed(false), piled(false), asleep(false), overflows(false), id(its_id)
   {
   }
   const BallParams& params() const { return type->first; }
@@ -87,11 +85,16 @@ struct BallRecord
   /// When it meets a ball or a moving body, as far as that is foreseen; kNever if it does not.
   double meetsBall() const { return passing ? passing->ball.time : kNever; }
   double meetsMoving() const { return passing ? passing->moving.time : kNever; }
-  std::uint32_t run() const { return passing ? passing->run : 0; }
   void expectNothing()
   {
     next = Event();
     if (passing) passing->moving = passing->ball = Event();
+  }
+  /// As between runs of islands.
+  void expectNoBall()
+  {
+    if (meetsMoving() == kNever) return passing.reset();
+    passing->ball = Event();
   }
 };
 static_assert(sizeof(BallRecord) <= 224, "a crowd has thousands: see docs/crowd_cost.md");
@@ -133,10 +136,11 @@ struct BodyRecord
   static const BodyMotion kWorldFrame;
 };
 
-/// Which ball has recorded a contact, and in which run of its island.
+/// Which ball has recorded a contact, and in which run of its island: what an earlier one has recorded has not happened.
 struct ContactOrigin
 {
-  std::uint32_t ball, run;
+  std::uint32_t ball;
+  std::uint32_t run;  ///< 0: the ball was alone
 };
 
 /// What the handling of events notes, besides the balls: of the world, or of one worker.
@@ -145,6 +149,7 @@ struct Records
   bool keep_contacts = true;           ///< else they are counted only
   std::vector<Contact> contacts;
   std::vector<ContactOrigin> origins;  ///< by contact, in the exact method
+  std::uint32_t run = 0;               ///< of the island at work, for origins
   StepStatus status;
   std::size_t pair_searches = 0;       ///< of balls with balls, in this window
   std::size_t near_pairs = 0;          ///< of balls whose boxes overlap, in this window
@@ -184,6 +189,9 @@ struct IslandWork : Records
     std::uint32_t ball;
     std::uint32_t root, next;      ///< union-find over balls, and the circular list of an island's; the least index is the root
     std::uint32_t saved, piece;    ///< entries in the lists of workers, or IslandRecords::kNoEntry; its last piece
+    std::uint32_t run : 30;        ///< of its island, the last one; 0 if the ball has been alone
+    std::uint32_t met : 1;         ///< it has hit a ball in that run
+    std::uint32_t listed : 1;      ///< the root of an island that has to run
     CoarseBox swept;               ///< in this window and on the path that it is on, until the outlook ends
   };
 
@@ -194,10 +202,16 @@ struct IslandWork : Records
   std::vector<std::size_t> members;   ///< the island at work
   std::vector<std::array<std::uint32_t, 2>> met;  ///< balls that are in each other's way
   std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see handover.h
-  std::vector<Meeting> meetings;      ///< after this window
-  std::vector<std::uint32_t> due;     ///< see IslandRecords
   std::vector<std::uint32_t> thrown;  ///< balls that have left their paths
+  std::vector<BroadPhase::Addition> announced;  ///< their boxes, on their way to the grid
   NearList near;
+
+  // What comes in the outlook. Each of these lists is gone through by one worker, this one or another.
+  std::vector<Meeting> meetings;      ///< after this window
+  std::vector<Meeting> due_meetings;  ///< in this window
+  std::vector<std::uint32_t> due;     ///< balls that may have an event with a body after this window,
+  std::vector<std::uint32_t> turn;    ///< and in it
+  std::vector<std::uint32_t> added;   ///< balls whose paths have changed since it began, by each change
 };
 
 /// What the exact method keeps from window to window, see islands.h. Balls to which nothing
@@ -226,7 +240,7 @@ struct IslandRecords
     if (isBusy(i)) return busy(i);
     busy_at[i] = entry(its_work, its_work.busy.size());
     const auto ball = static_cast<std::uint32_t>(i);
-    its_work.busy.push_back({ball, ball, ball, kNoEntry, kNoEntry, CoarseBox()});
+    its_work.busy.push_back({ball, ball, ball, kNoEntry, kNoEntry, 0, 0, 0, CoarseBox()});
     return its_work.busy.back();
   }
   std::uint32_t lastPiece(std::size_t i) const { return isBusy(i) ? busy(i).piece : kNoEntry; }
@@ -253,7 +267,6 @@ struct IslandRecords
   std::vector<IslandWork> work;            ///< of each worker
   std::vector<std::uint32_t> busy_at;      ///< entry in `busy` of a worker, by ball
   std::vector<std::uint32_t> islands;      ///< roots of those that have to run
-  std::vector<std::uint32_t> due;          ///< balls that may have an event with a body in the outlook, some twice
   std::vector<std::uint32_t> found, near;  ///< balls near a pile; a list for a moment
   std::vector<CoarseBox> near_boxes;       ///< of those near a pile
   std::vector<Place> order;                ///< of the window's contacts
@@ -262,12 +275,27 @@ struct IslandRecords
   /// Takes the memory for so many balls now, not while the world moves on.
   void reserve(std::size_t balls, std::size_t workers);
 
-  /// Ball i is elsewhere than it was when the outlook began: from now on in what it sweeps.
-  void addToGrid(std::uint32_t i)
+  /// Ball i is elsewhere than it was when the outlook began: after addToGrid() in what it sweeps.
+  void announce(IslandWork& its_work, std::uint32_t i)
   {
     glances[i].added = true;
-    outlook.added.push_back(i);
-    broad_phase.add(i, busy(i).swept);
+    its_work.added.push_back(i);
+    broad_phase.announce(i, busy(i).swept, its_work.announced);
+  }
+  void addToGrid()
+  {
+    for (IslandWork& its_work : work)
+    {
+      broad_phase.add(its_work.announced);
+      its_work.announced.clear();
+    }
+  }
+  /// Ball i may have an event with a body before the outlook ends.
+  void noteDue(IslandWork& its_work, std::uint32_t i)
+  {
+    if (glances[i].due) return;
+    glances[i].due = true;
+    its_work.due.push_back(i);
   }
 
   /// Lists whose boxes overlap this one, for eachNear(): their glances come through memory until then.

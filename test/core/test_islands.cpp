@@ -184,13 +184,20 @@ std::set<std::uint32_t> addedNear(const BroadPhase& broad_phase, const CoarseBox
   return told;
 }
 
+void add(BroadPhase& broad_phase, const std::vector<CoarseBox>& boxes)
+{
+  std::vector<BroadPhase::Addition> list;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) broad_phase.announce(i, boxes[i], list);
+  broad_phase.add(list);
+}
+
 TEST(BroadPhase, FindsBoxesThatWereAddedLater)
 {
   Workers alone;
   BroadPhase broad_phase;
   const std::vector<CoarseBox> boxes = someBoxes(500, 3), later = someBoxes(400, 8), asked = someBoxes(300, 4);
   build(broad_phase, boxes, alone);
-  for (std::uint32_t i = 0; i < later.size(); ++i) broad_phase.add(i, later[i]);
+  add(broad_phase, later);
   std::size_t overlapping = 0;
   for (const CoarseBox& box : asked)
   {
@@ -219,7 +226,7 @@ TEST(BroadPhase, LooksAtFewOfManyAddedBoxes)
   Workers alone;
   BroadPhase broad_phase;
   build(broad_phase, boxes, alone);
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) broad_phase.add(i, boxes[i]);
+  add(broad_phase, boxes);
   std::size_t looked_at = 0;
   for (const CoarseBox& box : boxes) eachOverlapping(broad_phase, box, [&](std::uint32_t, bool added) { looked_at += added; });
   measured("added boxes looked at, of 5000", static_cast<double>(looked_at) / 5000.0);
