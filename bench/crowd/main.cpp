@@ -6,6 +6,7 @@
 #include <exception>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "../results_file.h"
 #include "crowd_run.h"
@@ -17,10 +18,13 @@ namespace
 {
 constexpr std::size_t kWorthSharing = 1000;  // balls among threads
 constexpr std::size_t kSecond = 100;         // ticks
+const std::string kOurs = "ping_pong_sim";
 
 struct Options
 {
-  std::string out, scene, commit = "unknown";
+  std::string out, commit = "unknown";
+  std::vector<std::string> scenes;  // none: all
+  std::string variant;              // of ours, only this one; empty: all, and others
   double balls = 0.0;  // only this number; 0: a row of them
   int rounds = 8;
   bool quick = false;
@@ -39,14 +43,16 @@ Options parse(int argc, char** argv)
     else if (std::strcmp(argv[i], "--commit") == 0 && !last)
       options.commit = argv[++i];
     else if (std::strcmp(argv[i], "--scene") == 0 && !last)
-      options.scene = argv[++i];
+      options.scenes.emplace_back(argv[++i]);
+    else if (std::strcmp(argv[i], "--variant") == 0 && !last)
+      options.variant = argv[++i];
     else if (std::strcmp(argv[i], "--balls") == 0 && !last)
       options.balls = std::stod(argv[++i]);
     else if (std::strcmp(argv[i], "--rounds") == 0 && !last)
       options.rounds = std::stoi(argv[++i]);
     else
       throw std::runtime_error(std::string(argv[i]) +
-                               ": expected --quick, --scene NAME, --balls N, --rounds N, --out FILE or --commit NAME");
+                               ": expected --quick, --scene NAME, --variant NAME, --balls N, --rounds N, --out FILE or --commit NAME");
   }
   if (options.out.empty()) throw std::runtime_error("--out: missing: expected the CSV file to write");
   return options;
@@ -58,7 +64,7 @@ std::vector<CrowdPoint> points(const CrowdScene& scene)
   std::vector<CrowdPoint> all;
   for (const EngineKind& engine : engineKinds())
   {
-    const bool ours = engine.name == "ping_pong_sim";
+    const bool ours = engine.name == kOurs;
     for (const std::string& variant : engine.variants)
       if (ours ? variant == "exact" || variant == "impulse" : variant == "default")
         for (const double step : scene.steps)
@@ -124,24 +130,33 @@ void measure(Measured& measured, const CrowdEffort& effort)
   if (first || run.result.done) tell(measured);
 }
 
+bool isOneOf(const std::vector<std::string>& names, const std::string& name)
+{
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// All points once: of each engine ever more balls, as long as they do not take too long.
 std::vector<Measured> firstRound(const Options& options, const CrowdEffort& effort)
 {
   std::vector<Measured> all;
   const double most = options.quick ? 1000.0 : 100000.0;
+  const auto settled = static_cast<std::size_t>(std::max(5, options.rounds / 2));
   for (const CrowdScene& scene : crowdScenes())
   {
-    if (!options.scene.empty() && scene.name != options.scene) continue;
+    if (!isOneOf(options.scenes, scene.name)) continue;
     for (const CrowdPoint& point : points(scene))
+    {
+      if (!options.variant.empty() && (point.engine->name != kOurs || point.variant != options.variant)) continue;
       for (double n = options.balls > 0.0 ? options.balls : scene.fewest; n <= 1.0001 * most; n *= std::sqrt(10.0))
       {
         const auto balls = static_cast<std::size_t>(n + 0.5);
         if (point.threads > 1 && balls < kWorthSharing) continue;
         if (!point.engine->refuse(crowdOf(scene, balls), point.variant).empty()) break;
-        Measured& measured = all.emplace_back(Measured{&scene, point, balls});
+        Measured& measured = all.emplace_back(Measured{&scene, point, balls, {}, QuietTime(settled)});
         measure(measured, effort);
         if (!measured.result.done || options.balls > 0.0 || 4.0 * measured.result.wall > effort.most) break;  // more would take too long
       }
+    }
   }
   return all;
 }

@@ -8,7 +8,6 @@ namespace ping_pong::bench
 {
 namespace
 {
-constexpr std::size_t kLastRuns = 5;
 constexpr double kHardly = 0.005;  // of the total
 }  // namespace
 
@@ -30,6 +29,6 @@ double QuietTime::mostOf(std::size_t ticks) const
 
 bool QuietTime::settled() const
 {
-  return runs() > kLastRuns && totals_[runs() - 1 - kLastRuns] - total() < kHardly * total();
+  return runs() > enough_ && totals_[runs() - 1 - enough_] - total() < kHardly * total();
 }
 }  // namespace ping_pong::bench

@@ -11,6 +11,8 @@ namespace ping_pong::bench
 class QuietTime
 {
 public:
+  /// @param enough  runs in a row that hardly lower the total, for it to have settled
+  explicit QuietTime(std::size_t enough = 5) : enough_(enough) {}
   /// @param ticks  of one more run, as many as of those before [s]
   void add(const std::vector<double>& ticks);
 
@@ -19,10 +21,10 @@ public:
   double total() const { return totals_.empty() ? 0.0 : totals_.back(); }  ///< [s]
   /// Of the costliest part of so many ticks, counted from the first one; 0 if there is no whole part [s].
   double mostOf(std::size_t ticks) const;
-  /// The last runs have hardly lowered the total.
   bool settled() const;
 
 private:
+  std::size_t enough_;
   std::vector<double> least_;   // of each tick [s]
   std::vector<double> totals_;  // after each run [s]
 };

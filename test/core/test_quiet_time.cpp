@@ -39,6 +39,15 @@ TEST(QuietTime, HasSettledWhenFiveRunsInARowHardlyLowerIt)
   EXPECT_FALSE(time.settled());
 }
 
+TEST(QuietTime, SettlesLaterIfAskedTo)
+{
+  QuietTime time(7);
+  for (int run = 0; run < 7; ++run) time.add({2.0, 2.0});
+  EXPECT_FALSE(time.settled()) << "the first one cannot lower it";
+  time.add({2.0, 2.0});
+  EXPECT_TRUE(time.settled());
+}
+
 TEST(QuietTime, RefusesARunOfOtherLength)
 {
   QuietTime time;
