@@ -15,6 +15,7 @@ struct CrowdPoint
   std::string variant;
   double step = 0.0;  ///< [s]; not looked at by `exact`
   std::size_t threads = 1;  ///< of our own engine
+  bool companion = false;   ///< another world moves on beside it, see companion.h
 };
 
 struct CrowdResult

@@ -28,6 +28,7 @@ struct Options
   double balls = 0.0;  // only this number; 0: a row of them
   int rounds = 8;
   bool quick = false;
+  bool companion = false;  // `exact` beside another world, too
 };
 
 Options parse(int argc, char** argv)
@@ -38,6 +39,8 @@ Options parse(int argc, char** argv)
     const bool last = i + 1 == argc;
     if (std::strcmp(argv[i], "--quick") == 0)
       options.quick = true;
+    else if (std::strcmp(argv[i], "--companion") == 0)
+      options.companion = true;
     else if (std::strcmp(argv[i], "--out") == 0 && !last)
       options.out = argv[++i];
     else if (std::strcmp(argv[i], "--commit") == 0 && !last)
@@ -52,14 +55,14 @@ Options parse(int argc, char** argv)
       options.rounds = std::stoi(argv[++i]);
     else
       throw std::runtime_error(std::string(argv[i]) +
-                               ": expected --quick, --scene NAME, --variant NAME, --balls N, --rounds N, --out FILE or --commit NAME");
+                               ": expected --quick, --companion, --scene NAME, --variant NAME, --balls N, --rounds N, --out FILE or --commit NAME");
   }
   if (options.out.empty()) throw std::runtime_error("--out: missing: expected the CSV file to write");
   return options;
 }
 
 /// Ours: those made for crowds, `exact` and `impulse`. Of the peers those that carry thousands of balls.
-std::vector<CrowdPoint> points(const CrowdScene& scene)
+std::vector<CrowdPoint> points(const CrowdScene& scene, bool companion)
 {
   std::vector<CrowdPoint> all;
   for (const EngineKind& engine : engineKinds())
@@ -72,6 +75,7 @@ std::vector<CrowdPoint> points(const CrowdScene& scene)
           if (variant == "exact" && step != scene.steps.front()) continue;  // it takes no steps
           if (ours || engine.name == "ode" || engine.name == "bullet") all.push_back({&engine, variant, step});
           if (ours && step == scene.steps.front()) all.push_back({&engine, variant, step, 2});
+          if (companion && variant == "exact") all.push_back({&engine, variant, step, 1, true});
         }
   }
   return all;
@@ -104,7 +108,7 @@ void writeRow(std::FILE* file, const Measured& measured)
   const CrowdPoint& point = measured.point;
   const double n = static_cast<double>(measured.balls);
   std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%zu,%016llx\n", measured.scene->name.c_str(),
-               point.engine->name.c_str(), point.variant.c_str(), point.variant == "exact" ? 0.0 : point.step, point.threads, measured.balls, r.done,
+               point.engine->name.c_str(), (point.variant + (point.companion ? "_with_companion" : "")).c_str(), point.variant == "exact" ? 0.0 : point.step, point.threads, measured.balls, r.done,
                r.start, r.simulated, measured.cost(), r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap,
                r.escaped, 1e6 * measured.time.mostOf(kSecond) / n, r.rest_after, measured.time.runs(), static_cast<unsigned long long>(r.hash));
 }
@@ -113,7 +117,8 @@ void tell(const Measured& measured)
 {
   std::fprintf(stderr, "%s %s %s %g, %zu threads, %zu balls, run %zu: %.4g us per ball and simulated second%s\n",
                measured.scene->name.c_str(), measured.point.engine->name.c_str(), measured.point.variant.c_str(), measured.point.step,
-               measured.point.threads, measured.balls, measured.time.runs(), measured.cost(), measured.result.done ? "" : ", not done");
+               measured.point.threads, measured.balls, measured.time.runs(), measured.cost(),
+               !measured.result.done ? ", not done" : measured.point.companion ? ", beside another world" : "");
 }
 
 /// Once more: as many ticks as the first time.
@@ -144,7 +149,7 @@ std::vector<Measured> firstRound(const Options& options, const CrowdEffort& effo
   for (const CrowdScene& scene : crowdScenes())
   {
     if (!isOneOf(options.scenes, scene.name)) continue;
-    for (const CrowdPoint& point : points(scene))
+    for (const CrowdPoint& point : points(scene, options.companion))
     {
       if (!options.variant.empty() && (point.engine->name != kOurs || point.variant != options.variant)) continue;
       for (double n = options.balls > 0.0 ? options.balls : scene.fewest; n <= 1.0001 * most; n *= std::sqrt(10.0))
