@@ -1,6 +1,7 @@
 #include "broad_phase.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "count.h"
 #include "take_memory.h"
@@ -34,8 +35,10 @@ void BroadPhase::reserve(std::size_t boxes)
 {
   const auto cells = static_cast<std::size_t>(kMostCells * static_cast<double>(boxes) + kFewCells);
   takeMemory(start_, kSlices * cells + 4);
-  takeMemory(index_, boxes);
+  takeMemory(index_, boxes + kFirst);
+  takeMemory(sorted_, boxes + kFirst);
   takeMemory(range_, boxes);
+  takeMemory(blocks_, boxes / kBlock + 1);
   takeMemory(placed_, boxes);
   takeMemory(entries_, boxes + kFirst);
   takeMemory(last_link_, cells);
@@ -76,10 +79,21 @@ void BroadPhase::layOut(const Sums& sums, std::size_t count)
     axes_[i].units_per_metre = 1.0 / size[i];
   }
   layOutCorners(cell_bits);
+  if (count != count_) takePlaces(count);
+  start_.resize(slices_ + 3);
+}
+
+// All in the order of their indices.
+void BroadPhase::takePlaces(std::size_t count)
+{
+  count_ = count;
   placed_.resize(count);
   range_.resize(count);
-  index_.resize(count);
+  blocks_.resize((count + kBlock - 1) / kBlock);
   entries_.resize(count + kFirst);
+  index_.assign(count + kFirst, 0);
+  sorted_.assign(count + kFirst, 0);
+  std::iota(index_.begin(), index_.begin() + static_cast<std::ptrdiff_t>(count), 0u);
 }
 
 // What bits are left after the numbers of cells are for units in them.
@@ -132,22 +146,76 @@ void BroadPhase::add(const std::vector<Addition>& list)
   for (const Addition& one : list) addToLists(one.extent, one.index);
 }
 
-void BroadPhase::sort()
+void BroadPhase::noteBlock(std::size_t block)
+{
+  Block& noted = blocks_[block] = {~0u, 0u};
+  for (std::size_t place = block * kBlock; place < endOf(block); ++place)
+  {
+    noted.least = std::min(noted.least, range_[place]);
+    noted.greatest = std::max(noted.greatest, range_[place]);
+  }
+}
+
+// So that each part has about as many boxes: they are nearly sorted, as long as balls have not gone far.
+std::uint32_t BroadPhase::firstRange(std::size_t part, std::size_t parts) const
+{
+  if (part == parts) return static_cast<std::uint32_t>(slices_ + 2);
+  std::uint32_t first = 0;
+  for (std::size_t p = 1; p <= part; ++p)
+  {
+    const Block& block = blocks_[p * blocks_.size() / parts];
+    first = std::max(first, block.least + (block.greatest - block.least) / 2);
+  }
+  return first;
+}
+
+// Counting sort of the boxes from the first range to before the last. What comes before them is counted only.
+void BroadPhase::sortRanges(std::uint32_t first, std::uint32_t last)
+{
+  const auto isHere = [&](std::uint32_t range) { return range >= first && range < last; };
+  std::fill(start_.begin() + first, start_.begin() + last, 0u);
+  std::uint32_t total = 0;
+  for (std::size_t block = 0; block < blocks_.size(); ++block)
+  {
+    const std::size_t begin = block * kBlock, end = endOf(block);
+    if (blocks_[block].least >= last) continue;
+    if (blocks_[block].greatest < first)
+      total += static_cast<std::uint32_t>(end - begin);
+    else
+      for (std::size_t place = begin; place < end; ++place)
+      {
+        total += range_[place] < first;
+        if (isHere(range_[place])) ++start_[range_[place]];
+      }
+  }
+  for (std::uint32_t range = first; range < last; ++range)
+    start_[range] = total += start_[range];  // ends of the ranges; filled from behind they become starts
+  for (std::size_t block = blocks_.size(); block-- > 0;)
+  {
+    if (blocks_[block].least >= last || blocks_[block].greatest < first) continue;
+    for (std::size_t place = endOf(block); place-- > block * kBlock;)
+    {
+      if (!isHere(range_[place])) continue;
+      const std::uint32_t to = --start_[range_[place]];
+      sorted_[to] = index_[place];
+      entries_[to] = placed_[place];
+    }
+  }
+}
+
+void BroadPhase::sort(Workers& workers)
 {
   count(Law::BroadPhase);
   links_.clear();
   everywhere_.clear();
-  start_.assign(slices_ + 3, 0);
-  for (const std::uint32_t range : range_) ++start_[range];
-  std::uint32_t total = 0;
-  for (std::uint32_t& start : start_)
-    start = total += start;  // ends of the ranges; filled from behind they become starts
-  for (std::size_t i = range_.size(); i-- > 0;)
-  {
-    const std::uint32_t place = --start_[range_[i]];
-    index_[place] = static_cast<std::uint32_t>(i);
-    entries_[place] = placed_[i];
-  }
+  const std::size_t parts = std::max<std::size_t>(std::min(workers.count(), blocks_.size()), 1);
+  workers.each(parts, 1,
+               [&](std::size_t begin, std::size_t end, std::size_t)
+               {
+                 for (std::size_t part = begin; part < end; ++part) sortRanges(firstRange(part, parts), firstRange(part + 1, parts));
+               });
+  start_[slices_ + 2] = static_cast<std::uint32_t>(count_);
+  index_.swap(sorted_);
   in_cells_ = start_[slices_];
   boxes_ = start_[slices_ + 1];
   for (std::size_t p = in_cells_; p < boxes_; ++p) addToLists(entries_[p], index_[p]);

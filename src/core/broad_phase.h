@@ -15,7 +15,7 @@
 
 namespace ping_pong
 {
-/// Places are rounded to small parts of a cell, so that boxes that nearly overlap may be taken to do so, and beyond the grid
+/// Corners are rounded to small parts of a cell, so that boxes that nearly overlap may be taken to do so, and beyond the grid
 /// those that do not; whoever asks looks at them anyway. What it answers is the same for any number of workers.
 class BroadPhase
 {
@@ -30,12 +30,19 @@ public:
   template <class BoxOf>
   void build(std::size_t count, const BoxOf& box, Workers& workers);
 
-  /// The same in three steps: cells for boxes like these; put() for each index, by any worker; sort().
+  /// The same in three steps: cells for boxes like these; visit(place, index, worker) for all, which calls put() with this
+  /// place; sort(). Who had neighbouring cells last time has neighbouring places now: it is the same worker, as a rule, who
+  /// puts them, sorts them, and finds their pairs, so that they stay in the cache of a core.
   template <class BoxOf>
   void layOut(std::size_t count, const BoxOf& box);
+  template <class Visit>
+  void putAll(Workers& workers, const Visit& visit);
   template <class AnyBox>
-  void put(std::uint32_t index, const AnyBox& box);
-  void sort();
+  void put(std::size_t place, const AnyBox& box);
+  void sort(Workers& workers);
+
+  /// Index of the box with this place, or of any other some places beyond the last one.
+  std::uint32_t at(std::size_t place) const { return index_[place]; }
 
   /// Those that are not empty, in the order of their cells.
   std::size_t boxes() const { return boxes_; }
@@ -74,6 +81,7 @@ private:
   static constexpr std::size_t kFirst = 2 * kLanes;  ///< entries of a range that are compared in any case
   static constexpr int kSliceBits = 1;
   static constexpr std::size_t kSlices = 1u << kSliceBits;  ///< of a cell along x: where a row is searched, ends are cut off
+  static constexpr std::size_t kBlock = 256;                ///< places that a worker takes at a time
 
   /// A place in units from the origin of the grid: x, y and z in one number, each below a bit that is zero. What is beyond
   /// the grid is on its border.
@@ -133,8 +141,15 @@ private:
     void add(const AnyBox& box);
   };
 
+  /// Least and greatest range of some places.
+  struct Block
+  {
+    std::uint32_t least, greatest;
+  };
+
   void layOut(const Sums& sums, std::size_t count);
   void layOutCorners(const std::array<int, 3>& cell_bits);
+  void takePlaces(std::size_t count);
   template <class AnyBox>
   Corner cornerAt(const AnyBox& p) const;  ///< rounded down, high corners too: what overlaps still does
   template <class AnyBox>
@@ -188,6 +203,10 @@ private:
   template <class Take>
   void takeFromLists(const Extent& extent, const Take& take) const;
   void addToLists(const Extent& extent, std::uint32_t index);
+  void noteBlock(std::size_t block);
+  std::size_t endOf(std::size_t block) const { return std::min((block + 1) * kBlock, count_); }
+  std::uint32_t firstRange(std::size_t part, std::size_t parts) const;
+  void sortRanges(std::uint32_t first, std::uint32_t last);
 
   std::array<Axis, 3> axes_;
   Corner borrows_ = 0;                          ///< the bits between places
@@ -196,13 +215,16 @@ private:
   std::size_t slices_ = kSlices * 27;           ///< of all cells
   int slice_shift_ = 0;                         ///< of a slice along x in a corner
   std::size_t slice_mask_ = 0;
+  std::size_t count_ = 0;                       ///< of all boxes
   std::size_t boxes_ = 0;                       ///< that are not empty
   std::size_t in_cells_ = 0;                    ///< of these; those that are too long come after them
-  std::vector<Extent> placed_;                  ///< by index
-  std::vector<std::uint32_t> range_;            ///< of each: its slice, slices_ if it is in none, or one more if it is empty
+  std::vector<Extent> placed_;                  ///< by place
+  std::vector<std::uint32_t> range_;            ///< by place: its slice, slices_ if it is in none, or one more if it is empty
+  std::vector<Block> blocks_;                   ///< of places
   std::vector<std::uint32_t> start_;            ///< of each range in entries_
   std::vector<Extent> entries_;                 ///< by range; some more after them, to be read but not told
-  std::vector<std::uint32_t> index_;            ///< of each entry
+  std::vector<std::uint32_t> index_;            ///< of each entry, the place of its box from then on; some more after them
+  std::vector<std::uint32_t> sorted_;           ///< the same, as it will be
   std::vector<std::uint32_t> last_link_;        ///< of each cell
   std::vector<Listed> links_;
   std::vector<Listed> everywhere_;              ///< those in no list of a cell
@@ -247,14 +269,23 @@ void BroadPhase::layOut(std::size_t count, const BoxOf& box)
 template <class BoxOf>
 void BroadPhase::build(std::size_t count, const BoxOf& box, Workers& workers)
 {
-  constexpr std::size_t kGrain = 512;  // boxes that a worker takes at a time
   layOut(count, box);
-  workers.each(count, kGrain,
-               [&](std::size_t begin, std::size_t end, std::size_t)
+  putAll(workers, [&](std::size_t place, std::uint32_t index, std::size_t) { put(place, box(index)); });
+  sort(workers);
+}
+
+template <class Visit>
+void BroadPhase::putAll(Workers& workers, const Visit& visit)
+{
+  workers.each(blocks_.size(), 1,
+               [&](std::size_t begin, std::size_t end, std::size_t worker)
                {
-                 for (std::size_t i = begin; i < end; ++i) put(static_cast<std::uint32_t>(i), box(i));
+                 for (std::size_t block = begin; block < end; ++block)
+                 {
+                   for (std::size_t place = block * kBlock; place < endOf(block); ++place) visit(place, index_[place], worker);
+                   noteBlock(block);
+                 }
                });
-  sort();
 }
 
 template <class AnyBox>
@@ -283,15 +314,15 @@ inline bool BroadPhase::fits(const Extent& extent) const
 }
 
 template <class AnyBox>
-void BroadPhase::put(std::uint32_t index, const AnyBox& box)
+void BroadPhase::put(std::size_t place, const AnyBox& box)
 {
   std::size_t range = slices_ + 1;
   if (!box.empty())
   {
-    const Extent extent = placed_[index] = extentOf(box);
+    const Extent extent = placed_[place] = extentOf(box);
     range = fits(extent) ? sliceOf(extent.low()) : slices_;
   }
-  range_[index] = static_cast<std::uint32_t>(range);
+  range_[place] = static_cast<std::uint32_t>(range);
 }
 
 inline LaneMask BroadPhase::overlaps(const Extent* entries, const Question& question) const
@@ -400,7 +431,7 @@ void BroadPhase::eachPairs(std::size_t begin, std::size_t end, const Ahead& ahea
   {
     const Question question(entries_[p]);
     own = index_[p];
-    const std::size_t slice = range_[own], above = slice + layer;
+    const std::size_t slice = sliceOf(entries_[p].low()), above = slice + layer;
     const Reach reach = reachOf(entries_[p]);
     // Of two boxes the one whose cell comes first looks for the other: further on in its row, in the row behind, in the layer above.
     const Range further{static_cast<std::uint32_t>(p + 1), start_[slice + reach.x + 1]};

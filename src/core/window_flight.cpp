@@ -9,7 +9,8 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::size_t kBalls = 256;  // that a worker takes at a time
+constexpr std::size_t kBoxes = 256;    // that a worker takes at a time
+constexpr std::size_t kPlacesAhead = 8;  // glances are fetched
 
 bool hasEvents(const WorldState& world, std::size_t i, double end)
 {
@@ -43,18 +44,6 @@ void runAlone(WorldState& world, Window& window, std::size_t i)
   window.members = &i;
   runTogether(world, window);
   noteLast(world, window, i);
-}
-
-// Calls action(ball, its window) for all balls.
-template <class Action>
-void eachBall(WorldState& world, const Window& window, const Action& action)
-{
-  world.workers.each(world.balls.size(), kBalls,
-                     [&](std::size_t begin, std::size_t end, std::size_t worker)
-                     {
-                       Window its = ofWorker(world, window, worker);
-                       for (std::size_t i = begin; i < end; ++i) action(static_cast<std::uint32_t>(i), its);
-                     });
 }
 
 void lookAtPairs(const WorldState& world, const Window& window, const BroadPhase::Pair* pairs, std::size_t count)
@@ -114,22 +103,22 @@ void flyAnew(WorldState& world, const Window& window)
   const bool ahead = window.outlook > window.end;
   beginOutlook(world, window);
   grid.layOut(world.balls.size(), [&](std::size_t i) { return quietBox(world, window, i); });
-  eachBall(world, window,
-           [&](std::uint32_t i, Window& its)
-           {
-             if (hasEvents(world, i, window.end))
-             {
-               runAlone(world, its, i);
-               grid.put(i, islands.busy(i).swept);
-             }
-             else
-             {
-               grid.put(i, quietBox(world, window, i));
-               if (ahead && isDue(islands, i)) islands.noteDue(*its.work, i);
-             }
-           });
-  grid.sort();
-  world.workers.each(grid.boxes(), kBalls,
+  grid.putAll(world.workers,
+              [&](std::size_t place, std::uint32_t i, std::size_t worker)
+              {
+                islands.glances.fetch(grid.at(place + kPlacesAhead));
+                if (!hasEvents(world, i, window.end))
+                {
+                  grid.put(place, quietBox(world, window, i));
+                  if (ahead && isDue(islands, i)) islands.noteDue(islands.work[worker], i);
+                  return;
+                }
+                Window its = ofWorker(world, window, worker);
+                runAlone(world, its, i);
+                grid.put(place, islands.busy(i).swept);
+              });
+  grid.sort(world.workers);
+  world.workers.each(grid.boxes(), kBoxes,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
                      {
                        const Window its = ofWorker(world, window, worker);

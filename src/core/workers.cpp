@@ -6,17 +6,29 @@ namespace ping_pong
 {
 namespace
 {
-// Loops follow each other within microseconds, less than it takes to wake a sleeping thread: one looks so often before
-// it sleeps.
-constexpr int kLooks = 200;
+// Loops follow each other within microseconds, less than it takes to wake a sleeping thread: one looks so often before it
+// sleeps. Most looks are as quick as they can be; in between, whoever has something to do on this processor goes first.
+constexpr int kLooks = 50;
+constexpr int kQuickLooks = 256;
+
+void pause()
+{
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
 
 template <class Condition>
 bool comesSoon(const Condition& condition)
 {
   for (int look = 0; look < kLooks; ++look)
   {
-    if (condition()) return true;
-    std::this_thread::yield();  // whoever has something to do goes first
+    for (int quick = 0; quick < kQuickLooks; ++quick)
+    {
+      if (condition()) return true;
+      pause();
+    }
+    std::this_thread::yield();
   }
   return condition();
 }
@@ -26,74 +38,93 @@ void Workers::start(std::size_t count)
 {
   if (count == this->count()) return;
   stop();
-  stopping_ = false;
-  shares_ = std::vector<Share>(count);
+  desks_ = std::vector<Desk>(count);
   for (std::size_t worker = 1; worker < count; ++worker) threads_.emplace_back([this, worker] { live(worker); });
 }
 
 void Workers::stop()
 {
+  for (Desk& desk : desks_) desk.state = State::Stop;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    stopping_ = true;
-    ++jobs_;
   }
   begun_.notify_all();
   for (std::thread& thread : threads_) thread.join();
   threads_.clear();
 }
 
-// A thread that comes too late to a job leaves it alone: nobody waits for it.
+// A look by an exchange leaves the line with this processor, so that a job comes over with all that is in it.
+bool Workers::take(Desk& desk)
+{
+  State offered = State::Offered;
+  return desk.state.compare_exchange_strong(offered, State::Taken);
+}
+
 void Workers::live(std::size_t worker)
 {
-  for (std::size_t seen = 0;;)
+  Desk& desk = desks_[worker];
+  while (desk.state != State::Stop)
   {
-    comesSoon([&] { return jobs_ != seen; });
-    std::unique_lock<std::mutex> lock(mutex_);
-    begun_.wait(lock, [&] { return jobs_ != seen; });
-    seen = jobs_;
-    if (stopping_) return;
-    if (!open_) continue;
-    ++busy_;
-    const Job job = job_;
-    lock.unlock();
+    if (!comesSoon([&desk] { return take(desk); }))
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      ++sleeping_;
+      begun_.wait(lock, [&desk] { return desk.state != State::Idle; });
+      --sleeping_;
+      continue;
+    }
+    const Job job = desk.job;  // others take from its line
     workOn(job, worker);
-    lock.lock();
-    if (--busy_ == 0) ended_.notify_one();
+    desk.state = State::Idle;
+    if (!caller_sleeps_) continue;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ended_.notify_one();
   }
 }
 
+bool Workers::allDone() const
+{
+  return std::all_of(desks_.begin() + 1, desks_.end(), [](const Desk& desk) { return desk.state == State::Idle; });
+}
+
+// Whoever has not come to the job when there is nothing left to do is not waited for.
 void Workers::share(const Job& job)
 {
+  for (std::size_t k = 0; k < desks_.size(); ++k)
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    job_ = job;
-    for (std::size_t k = 0; k < shares_.size(); ++k)
+    desks_[k].job = job;
+    desks_[k].next = k * job.size / desks_.size();
+  }
+  for (std::size_t k = 1; k < desks_.size(); ++k) desks_[k].state = State::Offered;
+  if (sleeping_ > 0)
+  {
     {
-      shares_[k].next = k * job.size / shares_.size();
-      shares_[k].end = (k + 1) * job.size / shares_.size();
+      const std::lock_guard<std::mutex> lock(mutex_);  // whoever is about to sleep has looked, or sleeps by now
     }
-    open_ = true;
-    ++jobs_;
+    begun_.notify_all();
   }
-  begun_.notify_all();
   workOn(job, 0);
+  for (std::size_t k = 1; k < desks_.size(); ++k)
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    open_ = false;
+    State offered = State::Offered;
+    desks_[k].state.compare_exchange_strong(offered, State::Idle);
   }
-  if (comesSoon([this] { return busy_ == 0; })) return;
+  const auto done = [this] { return allDone(); };
+  if (comesSoon(done)) return;
   std::unique_lock<std::mutex> lock(mutex_);
-  ended_.wait(lock, [this] { return busy_ == 0; });
+  caller_sleeps_ = true;
+  ended_.wait(lock, done);
+  caller_sleeps_ = false;
 }
 
 void Workers::workOn(const Job& job, std::size_t worker)
 {
-  for (std::size_t k = 0; k < shares_.size(); ++k)
+  for (std::size_t k = 0; k < desks_.size(); ++k)
   {
-    Share& share = shares_[(worker + k) % shares_.size()];
-    for (std::size_t begin = share.next.fetch_add(job.grain); begin < share.end; begin = share.next.fetch_add(job.grain))
-      job.call(job.action, begin, std::min(begin + job.grain, share.end), worker);
+    const std::size_t owner = (worker + k) % desks_.size(), end = (owner + 1) * job.size / desks_.size();
+    std::atomic<std::size_t>& next = desks_[owner].next;
+    for (std::size_t begin = next.fetch_add(job.grain); begin < end; begin = next.fetch_add(job.grain))
+      job.call(job.action, begin, std::min(begin + job.grain, end), worker);
   }
 }
 }  // namespace ping_pong

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -49,26 +50,34 @@ private:
     std::size_t size, grain;
   };
 
-  // Of a job, by worker; each in a line of the cache of its own.
-  struct alignas(64) Share
+  enum class State : std::uint32_t
   {
-    std::atomic<std::size_t> next{0};  // first index that nobody has taken
-    std::size_t end = 0;
+    Idle,
+    Offered,  ///< by the caller, who takes it back in the end
+    Taken,    ///< by the thread, until it is done
+    Stop
+  };
+
+  /// Of a worker. A line of the cache takes over to it what it needs to begin, and back that it is done.
+  struct alignas(64) Desk
+  {
+    std::atomic<State> state{State::Idle};
+    std::atomic<std::size_t> next{0};  ///< first index of its share that nobody has taken
+    Job job{};
   };
 
   void stop();
   void live(std::size_t worker);
+  static bool take(Desk& desk);
   void share(const Job& job);
   void workOn(const Job& job, std::size_t worker);
+  bool allDone() const;
 
   std::vector<std::thread> threads_;
-  std::mutex mutex_;  // guards what follows; what is atomic is also looked at without it
+  std::vector<Desk> desks_;
+  std::mutex mutex_;
   std::condition_variable begun_, ended_;
-  Job job_{};
-  bool open_ = false;  // there may be work left in job_
-  bool stopping_ = false;
-  std::atomic<std::size_t> jobs_{0};  // so far
-  std::atomic<std::size_t> busy_{0};  // threads at work on job_
-  std::vector<Share> shares_;         // of job_
+  std::atomic<std::size_t> sleeping_{0};    // threads that have to be woken
+  std::atomic<bool> caller_sleeps_{false};  // and has to be woken
 };
 }  // namespace ping_pong

@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <numeric>
 #include <set>
+#include <thread>
+#include <vector>
 
 #include "workers.h"
 
@@ -94,6 +98,28 @@ TEST(Workers, OneCallAfterAnotherLosesNothing)
       ASSERT_EQ(std::count(before.begin(), before.end(), 1), 16) << call;
     }
     EXPECT_EQ(std::accumulate(sum.begin(), sum.end(), 0L), 16 * kCalls);
+  }
+}
+
+// A pause of that length sends threads to sleep that have nothing to do, and a piece of it the caller that waits for it.
+TEST(Workers, WakeEachOther)
+{
+  constexpr std::chrono::milliseconds kLong(5);
+  Workers workers;
+  workers.start(3);
+  for (int call = 0; call < 10; ++call)
+  {
+    std::atomic<int> here{0}, done{0};
+    std::this_thread::sleep_for(kLong);
+    workers.each(3, 1,
+                 [&](std::size_t, std::size_t, std::size_t worker)
+                 {
+                   ++here;
+                   while (here < 3) std::this_thread::yield();
+                   if (worker != 0) std::this_thread::sleep_for(kLong);
+                   ++done;
+                 });
+    ASSERT_EQ(done, 3) << call;
   }
 }
 
