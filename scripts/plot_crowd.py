@@ -268,7 +268,7 @@ holds `gas` against kinetic theory; [ros.md](ros.md#topics) says what RViz is to
 
 ## The chart
 
-`scripts/crowd --peers` measures and writes this page. Every point is a process of its own, ticks of 10 ms, no output. All points are run
+`scripts/crowd --peers` measures and writes this page. Every point is a process of its own, each of its threads on a processor of its own, ticks of 10 ms, no output. All points are run
 in turn, up to eight times if a run takes less than a quarter of a minute; every run of a point does the same work, and of each tick the least time counts: others on the machine can only add to it.
 A line ends where a run would take more than a minute. Dotted: what a core can carry in real time. Others with their default settings, at steps of 5 ms (broken lines) and 1 ms.
 
@@ -291,7 +291,7 @@ whoever has loaded it, and the list of states to look at. Of few balls it is tha
 
 {threads_table(rows)}
 
-The result is the same, bit by bit, in every run. Both threads need a core of their own at the same time; where the machine gives
+The result is the same, bit by bit, in every run. Both threads need a core at the same time, and cores that are near each other; where the machine gives
 parts of its cores to others, as the one below does, that is rare, and what is shown is the least that two threads gain. [crowds.md](crowds.md#threads) says how the work is shared.
 
 {long}## Soundness beside cost

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "companion.h"
+#include "processors.h"
 #include "ping_pong_sim/state_hash.h"
 #include "ping_pong_sim/world.h"
 
@@ -104,6 +105,7 @@ public:
     ours_ = dynamic_cast<OurCrowd*>(engine_.get());
     if (point.companion) companion_ = std::make_unique<Companion>(shared_);
     result_.start = now() - start;
+    giveProcessors();
     measure();
     result_.wall = now() - begin_;
   }

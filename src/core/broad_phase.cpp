@@ -31,18 +31,20 @@ int bitsFor(double count)
 }
 }  // namespace
 
-void BroadPhase::reserve(std::size_t boxes)
+void BroadPhase::reserve(std::size_t boxes, std::size_t workers)
 {
   const auto cells = static_cast<std::size_t>(kMostCells * static_cast<double>(boxes) + kFewCells);
   takeMemory(start_, kSlices * cells + 4);
   takeMemory(index_, boxes + kFirst);
-  takeMemory(sorted_, boxes + kFirst);
+  takeMemory(at_, boxes + kFirst);
   takeMemory(range_, boxes);
   takeMemory(blocks_, boxes / kBlock + 1);
   takeMemory(placed_, boxes);
   takeMemory(entries_, boxes + kFirst);
   takeMemory(last_link_, cells);
-  takeMemory(links_, 16 * boxes);
+  first_.reserve(workers + 1);
+  links_.resize(std::max(links_.size(), workers));
+  for (std::vector<Listed>& links : links_) takeMemory(links, 16 * boxes / workers);
   takeMemory(everywhere_, boxes);
 }
 
@@ -79,7 +81,10 @@ void BroadPhase::layOut(const Sums& sums, std::size_t count)
     axes_[i].units_per_metre = 1.0 / size[i];
   }
   layOutCorners(cell_bits);
-  if (count != count_) takePlaces(count);
+  if (count != count_)
+    takePlaces(count);
+  else if (shared_)
+    at_.swap(index_);
   start_.resize(slices_ + 3);
 }
 
@@ -89,11 +94,11 @@ void BroadPhase::takePlaces(std::size_t count)
   count_ = count;
   placed_.resize(count);
   range_.resize(count);
-  blocks_.resize((count + kBlock - 1) / kBlock);
+  blocks_.assign((count + kBlock - 1) / kBlock, Block());
   entries_.resize(count + kFirst);
   index_.assign(count + kFirst, 0);
-  sorted_.assign(count + kFirst, 0);
-  std::iota(index_.begin(), index_.begin() + static_cast<std::ptrdiff_t>(count), 0u);
+  at_.assign(count + kFirst, 0);
+  std::iota(at_.begin(), at_.begin() + static_cast<std::ptrdiff_t>(count), 0u);
 }
 
 // What bits are left after the numbers of cells are for units in them.
@@ -120,30 +125,35 @@ void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
   }
   slice_shift_ = axes_[0].shift + axes_[0].unit_bits - kSliceBits;
   slice_mask_ = axes_[0].mask >> (axes_[0].unit_bits - kSliceBits);
-  row_ = static_cast<std::size_t>(axes_[0].cells);
-  layer_ = row_ * static_cast<std::size_t>(axes_[1].cells);
-  cells_ = layer_ * static_cast<std::size_t>(axes_[2].cells);
+  // Parts of the room are cut across y or z, whichever is longer: fewer boxes are near a border.
+  const auto x = static_cast<std::size_t>(axes_[0].cells), y = static_cast<std::size_t>(axes_[1].cells), z = static_cast<std::size_t>(axes_[2].cells);
+  row_ = y > z ? x * z : x;
+  layer_ = y > z ? x : x * y;
+  cells_ = x * y * z;
   slices_ = kSlices * cells_;
 }
 
-void BroadPhase::addToLists(const Extent& extent, std::uint32_t index)
+// Into those of this part. One that is in no list of a cell is in the care of the first part.
+void BroadPhase::addToLists(std::size_t part, const Extent& extent, std::uint32_t index)
 {
   const Cell first = cellAt(extent.low()), last = cellAt(extent.high);
   const double cells = (last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0);
-  if (cells > kManyCells) return everywhere_.push_back({extent, index, kNoLink});
-  if (links_.empty()) last_link_.assign(cells_, kNoLink);
+  if (cells > kManyCells)
+  {
+    if (part == 0) everywhere_.push_back({extent, index, kNoLink});
+    return;
+  }
+  std::vector<Listed>& links = links_[part];
+  const std::size_t begin = firstCell(part), end = firstCell(part + 1);
+  if (cell(first[0], first[1], first[2]) >= end || cell(last[0], last[1], last[2]) < begin) return;
   eachCell(first, last,
            [&](int x, int y, int z)
            {
-             std::uint32_t& link = last_link_[cell(x, y, z)];
-             links_.push_back({extent, index, link});
-             link = static_cast<std::uint32_t>(links_.size() - 1);
+             const std::size_t its = cell(x, y, z);
+             if (its < begin || its >= end) return;
+             links.push_back({extent, index, last_link_[its]});
+             last_link_[its] = static_cast<std::uint32_t>(part << kLinkBits | (links.size() - 1));
            });
-}
-
-void BroadPhase::add(const std::vector<Addition>& list)
-{
-  for (const Addition& one : list) addToLists(one.extent, one.index);
 }
 
 void BroadPhase::noteBlock(std::size_t block)
@@ -156,32 +166,36 @@ void BroadPhase::noteBlock(std::size_t block)
   }
 }
 
-// So that each part has about as many boxes: they are nearly sorted, as long as balls have not gone far.
-std::uint32_t BroadPhase::firstRange(std::size_t part, std::size_t parts) const
+// So that each has about as many boxes: they are nearly sorted, as long as balls have not gone far.
+void BroadPhase::cutIntoParts(std::size_t count)
 {
-  if (part == parts) return static_cast<std::uint32_t>(slices_ + 2);
-  std::uint32_t first = 0;
-  for (std::size_t p = 1; p <= part; ++p)
+  if (links_.size() < count) links_.resize(count);
+  first_.assign(count + 1, 0);
+  for (std::size_t part = 1; part < count; ++part)
   {
-    const Block& block = blocks_[p * blocks_.size() / parts];
-    first = std::max(first, block.least + (block.greatest - block.least) / 2);
+    const Block& block = blocks_[part * blocks_.size() / count];
+    first_[part] = std::min(std::max(first_[part - 1], block.least + (block.greatest - block.least) / 2), static_cast<std::uint32_t>(slices_));
   }
-  return first;
+  first_[count] = static_cast<std::uint32_t>(slices_ + 2);
 }
 
-// Counting sort of the boxes from the first range to before the last. What comes before them is counted only.
-void BroadPhase::sortRanges(std::uint32_t first, std::uint32_t last)
+// Counting sort. Of the boxes before the part it is only known how many they are.
+void BroadPhase::sortPart(std::size_t part)
 {
+  const std::uint32_t first = first_[part], last = first_[part + 1];
   const auto isHere = [&](std::uint32_t range) { return range >= first && range < last; };
+  const auto anyHere = [&](const Block& block) { return block.greatest >= first && block.least < last; };
+  const auto allHere = [&](const Block& block) { return parts() == 1 || (block.least >= first && block.greatest < last); };
   std::fill(start_.begin() + first, start_.begin() + last, 0u);
   std::uint32_t total = 0;
   for (std::size_t block = 0; block < blocks_.size(); ++block)
   {
     const std::size_t begin = block * kBlock, end = endOf(block);
-    if (blocks_[block].least >= last) continue;
     if (blocks_[block].greatest < first)
       total += static_cast<std::uint32_t>(end - begin);
-    else
+    else if (allHere(blocks_[block]))
+      for (std::size_t place = begin; place < end; ++place) ++start_[range_[place]];
+    else if (anyHere(blocks_[block]))
       for (std::size_t place = begin; place < end; ++place)
       {
         total += range_[place] < first;
@@ -190,34 +204,48 @@ void BroadPhase::sortRanges(std::uint32_t first, std::uint32_t last)
   }
   for (std::uint32_t range = first; range < last; ++range)
     start_[range] = total += start_[range];  // ends of the ranges; filled from behind they become starts
+  const auto take = [&](std::size_t place)
+  {
+    const std::uint32_t to = --start_[range_[place]];
+    index_[to] = at_[place];
+    entries_[to] = placed_[place];
+  };
   for (std::size_t block = blocks_.size(); block-- > 0;)
   {
-    if (blocks_[block].least >= last || blocks_[block].greatest < first) continue;
-    for (std::size_t place = endOf(block); place-- > block * kBlock;)
-    {
-      if (!isHere(range_[place])) continue;
-      const std::uint32_t to = --start_[range_[place]];
-      sorted_[to] = index_[place];
-      entries_[to] = placed_[place];
-    }
+    const std::size_t begin = block * kBlock, end = endOf(block);
+    if (allHere(blocks_[block]))
+      for (std::size_t place = end; place-- > begin;) take(place);
+    else if (anyHere(blocks_[block]))
+      for (std::size_t place = end; place-- > begin;)
+        if (isHere(range_[place])) take(place);
   }
 }
 
+// Lists of cells are emptied by whom they will be filled.
 void BroadPhase::sort(Workers& workers)
 {
   count(Law::BroadPhase);
-  links_.clear();
+  any_link_ = false;
   everywhere_.clear();
-  const std::size_t parts = std::max<std::size_t>(std::min(workers.count(), blocks_.size()), 1);
-  workers.each(parts, 1,
+  last_link_.resize(cells_);
+  cutIntoParts(std::max<std::size_t>(std::min(workers.count(), blocks_.size()), 1));
+  workers.each(parts(), 1,
                [&](std::size_t begin, std::size_t end, std::size_t)
                {
-                 for (std::size_t part = begin; part < end; ++part) sortRanges(firstRange(part, parts), firstRange(part + 1, parts));
+                 for (std::size_t part = begin; part < end; ++part)
+                 {
+                   sortPart(part);
+                   links_[part].clear();
+                   std::fill(last_link_.begin() + static_cast<std::ptrdiff_t>(firstCell(part)),
+                             last_link_.begin() + static_cast<std::ptrdiff_t>(firstCell(part + 1)), kNoLink);
+                 }
                });
   start_[slices_ + 2] = static_cast<std::uint32_t>(count_);
-  index_.swap(sorted_);
+  shared_ = workers.count() > 1;
   in_cells_ = start_[slices_];
   boxes_ = start_[slices_ + 1];
-  for (std::size_t p = in_cells_; p < boxes_; ++p) addToLists(entries_[p], index_[p]);
+  if (in_cells_ < boxes_) any_link_ = true;
+  for (std::size_t p = in_cells_; p < boxes_; ++p)
+    for (std::size_t part = 0; part < parts(); ++part) addToLists(part, entries_[p], index_[p]);
 }
 }  // namespace ping_pong

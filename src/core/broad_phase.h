@@ -24,25 +24,23 @@ public:
   using Pair = std::array<std::uint32_t, 2>;         ///< indices of boxes
   struct Addition;
 
-  void reserve(std::size_t boxes);
+  void reserve(std::size_t boxes, std::size_t workers);
 
   /// Sorts `count` boxes into cells: `box(i)` is that of i, by any worker, and for some asked twice.
   template <class BoxOf>
   void build(std::size_t count, const BoxOf& box, Workers& workers);
 
   /// The same in three steps: cells for boxes like these; visit(place, index, worker) for all, which calls put() with this
-  /// place; sort(). Who had neighbouring cells last time has neighbouring places now: it is the same worker, as a rule, who
-  /// puts them, sorts them, and finds their pairs, so that they stay in the cache of a core.
+  /// place; sort(). If there are several workers, those who had neighbouring cells last time have neighbouring places now: as a
+  /// rule it is the same worker who puts them, sorts them, and finds their pairs, and they stay in the cache of its core. Then
+  /// ahead(index) is called some time before a visit, too: what it fetches has come by then.
   template <class BoxOf>
   void layOut(std::size_t count, const BoxOf& box);
-  template <class Visit>
-  void putAll(Workers& workers, const Visit& visit);
+  template <class Ahead, class Visit>
+  void putAll(Workers& workers, const Ahead& ahead, const Visit& visit);
   template <class AnyBox>
   void put(std::size_t place, const AnyBox& box);
   void sort(Workers& workers);
-
-  /// Index of the box with this place, or of any other some places beyond the last one.
-  std::uint32_t at(std::size_t place) const { return index_[place]; }
 
   /// Those that are not empty, in the order of their cells.
   std::size_t boxes() const { return boxes_; }
@@ -68,20 +66,23 @@ public:
   {
     if (!box.empty()) list.push_back({extentOf(box), index | kAdded});
   }
-  /// Until the boxes are sorted again these are there, too.
-  void add(const std::vector<Addition>& list);
+  /// Those of lists with this member, of which some may be empty, are there, too, until the boxes are sorted again.
+  template <class List>
+  void add(const std::vector<List>& lists, std::vector<Addition> List::* member, Workers& workers);
   /// Appends the index of each that overlaps this box, once, with kAdded for those that were.
   template <class AnyBox>
   void listOverlapping(const AnyBox& box, std::vector<std::uint32_t>& list) const;
 
 private:
   static constexpr std::uint32_t kNoLink = ~0u;
+  static constexpr std::uint32_t kLinkBits = 26;  ///< of an entry in the list of a part; the part is above them
   static constexpr int kPlaceBits = 29;      ///< of the three places in a corner,
   static constexpr int kLeastUnitBits = 2;   ///< of which along each axis at least so many are of units in a cell
   static constexpr std::size_t kFirst = 2 * kLanes;  ///< entries of a range that are compared in any case
   static constexpr int kSliceBits = 1;
   static constexpr std::size_t kSlices = 1u << kSliceBits;  ///< of a cell along x: where a row is searched, ends are cut off
   static constexpr std::size_t kBlock = 256;                ///< places that a worker takes at a time
+  static constexpr std::size_t kAhead = 8;                  ///< places, at most kFirst
 
   /// A place in units from the origin of the grid: x, y and z in one number, each below a bit that is zero. What is beyond
   /// the grid is on its border.
@@ -126,7 +127,7 @@ private:
   {
     Extent extent;
     std::uint32_t index;
-    std::uint32_t next;  ///< entry in links_ of the same cell
+    std::uint32_t next;  ///< of the same cell
   };
   using Cell = std::array<int, 3>;  ///< x, y, z
   /// What cells are made for: some of the boxes stand for all.
@@ -141,10 +142,10 @@ private:
     void add(const AnyBox& box);
   };
 
-  /// Least and greatest range of some places.
+  /// Ranges of some places are between these.
   struct Block
   {
-    std::uint32_t least, greatest;
+    std::uint32_t least = 0, greatest = ~0u;
   };
 
   void layOut(const Sums& sums, std::size_t count);
@@ -202,11 +203,13 @@ private:
   void takeFromCells(const Extent& extent, const Take& take) const;
   template <class Take>
   void takeFromLists(const Extent& extent, const Take& take) const;
-  void addToLists(const Extent& extent, std::uint32_t index);
+  void addToLists(std::size_t part, const Extent& extent, std::uint32_t index);
   void noteBlock(std::size_t block);
   std::size_t endOf(std::size_t block) const { return std::min((block + 1) * kBlock, count_); }
-  std::uint32_t firstRange(std::size_t part, std::size_t parts) const;
-  void sortRanges(std::uint32_t first, std::uint32_t last);
+  std::size_t parts() const { return first_.size() - 1; }
+  void cutIntoParts(std::size_t count);
+  void sortPart(std::size_t part);
+  std::size_t firstCell(std::size_t part) const { return part < parts() ? first_[part] / kSlices : cells_; }
 
   std::array<Axis, 3> axes_;
   Corner borrows_ = 0;                          ///< the bits between places
@@ -223,11 +226,14 @@ private:
   std::vector<Block> blocks_;                   ///< of places
   std::vector<std::uint32_t> start_;            ///< of each range in entries_
   std::vector<Extent> entries_;                 ///< by range; some more after them, to be read but not told
-  std::vector<std::uint32_t> index_;            ///< of each entry, the place of its box from then on; some more after them
-  std::vector<std::uint32_t> sorted_;           ///< the same, as it will be
-  std::vector<std::uint32_t> last_link_;        ///< of each cell
-  std::vector<Listed> links_;
+  std::vector<std::uint32_t> index_;            ///< of each entry; some more after them
+  std::vector<std::uint32_t> at_;               ///< index, by place; some more
+  bool shared_ = false;                         ///< places are those of the entries before; else those of the indices
+  std::vector<std::uint32_t> first_{0, 2};      ///< range of each part, and what comes after the last one
+  std::vector<std::uint32_t> last_link_;        ///< of each cell: an entry in the list of its part
+  std::vector<std::vector<Listed>> links_;      ///< by part
   std::vector<Listed> everywhere_;              ///< those in no list of a cell
+  bool any_link_ = false;
 };
 
 struct BroadPhase::Addition
@@ -270,21 +276,26 @@ template <class BoxOf>
 void BroadPhase::build(std::size_t count, const BoxOf& box, Workers& workers)
 {
   layOut(count, box);
-  putAll(workers, [&](std::size_t place, std::uint32_t index, std::size_t) { put(place, box(index)); });
+  putAll(workers, [](std::uint32_t) {}, [&](std::size_t place, std::uint32_t index, std::size_t) { put(place, box(index)); });
   sort(workers);
 }
 
-template <class Visit>
-void BroadPhase::putAll(Workers& workers, const Visit& visit)
+template <class Ahead, class Visit>
+void BroadPhase::putAll(Workers& workers, const Ahead& ahead, const Visit& visit)
 {
+  const auto putBlock = [&](std::size_t block, std::size_t worker)
+  {
+    for (std::size_t place = block * kBlock; place < endOf(block); ++place)
+    {
+      if (shared_) ahead(at_[place + kAhead]);
+      visit(place, at_[place], worker);
+    }
+    if (workers.count() > 1) noteBlock(block);
+  };
   workers.each(blocks_.size(), 1,
                [&](std::size_t begin, std::size_t end, std::size_t worker)
                {
-                 for (std::size_t block = begin; block < end; ++block)
-                 {
-                   for (std::size_t place = block * kBlock; place < endOf(block); ++place) visit(place, index_[place], worker);
-                   noteBlock(block);
-                 }
+                 for (std::size_t block = begin; block < end; ++block) putBlock(block, worker);
                });
 }
 
@@ -314,7 +325,7 @@ inline bool BroadPhase::fits(const Extent& extent) const
 }
 
 template <class AnyBox>
-void BroadPhase::put(std::size_t place, const AnyBox& box)
+[[gnu::always_inline]] inline void BroadPhase::put(std::size_t place, const AnyBox& box)
 {
   std::size_t range = slices_ + 1;
   if (!box.empty())
@@ -453,19 +464,38 @@ void BroadPhase::takeFromLists(const Extent& extent, const Take& take) const
 {
   for (const Listed& box : everywhere_)
     if (overlap(box.extent, extent)) take(box.index);
-  if (links_.empty()) return;
+  if (!any_link_) return;
   const Cell first = cellAt(extent.low()), last = cellAt(extent.high);
   const auto takeFromList = [&](int x, int y, int z)
   {
-    for (std::uint32_t link = last_link_[cell(x, y, z)]; link != kNoLink; link = links_[link].next)
+    for (std::uint32_t link = last_link_[cell(x, y, z)]; link != kNoLink;)
     {
-      const Listed& box = links_[link];
+      const Listed& box = links_[link >> kLinkBits][link & ((1u << kLinkBits) - 1u)];
+      link = box.next;
       const Cell its = cellAt(box.extent.low());  // of all cells that both are in, the first one tells
       const bool tells = (x == std::max(first[0], its[0])) & (y == std::max(first[1], its[1])) & (z == std::max(first[2], its[2]));
       if (overlap(box.extent, extent) & tells) take(box.index);
     }
   };
   eachCell(first, last, takeFromList);
+}
+
+// Each part of the grid is one worker's.
+template <class List>
+void BroadPhase::add(const std::vector<List>& lists, std::vector<Addition> List::* member, Workers& workers)
+{
+  constexpr std::size_t kFew = 8;  // are not worth sharing
+  std::size_t count = 0;
+  for (const List& list : lists) count += (list.*member).size();
+  if (count == 0) return;
+  any_link_ = true;
+  workers.each(parts(), count <= kFew ? parts() : 1,
+               [&](std::size_t begin, std::size_t end, std::size_t)
+               {
+                 for (std::size_t part = begin; part < end; ++part)
+                   for (const List& list : lists)
+                     for (const Addition& one : list.*member) addToLists(part, one.extent, one.index);
+               });
 }
 
 template <class AnyBox>

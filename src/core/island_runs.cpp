@@ -5,29 +5,12 @@
 #include "flown.h"
 #include "foresight.h"
 #include "handover.h"
+#include "island_unions.h"
 
 namespace ping_pong
 {
 namespace
 {
-std::uint32_t rootOf(IslandRecords& islands, std::uint32_t i)
-{
-  for (;;)
-  {
-    std::uint32_t& root = islands.busy(i).root;
-    if (root == i) return i;
-    i = root = islands.busy(root).root;
-  }
-}
-
-void unite(IslandRecords& islands, std::uint32_t i, std::uint32_t k)
-{
-  const std::uint32_t a = rootOf(islands, i), b = rootOf(islands, k);
-  if (a == b) return;
-  islands.busy(std::max(a, b)).root = std::min(a, b);
-  std::swap(islands.busy(a).next, islands.busy(b).next);
-}
-
 void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::size_t>& members)
 {
   members.clear();
@@ -113,6 +96,28 @@ void findWhoWasMet(WorldState& world, const Window& window, const std::uint32_t*
   for (std::size_t r = 0; r < count; ++r) eachThrown(world, roots[r], [&thrown](std::uint32_t i) { thrown.push_back(i); });
   lookAround(world, window, thrown.data(), thrown.size());
 }
+
+// Calls action(world, its window, roots, how many) for parts of the lists of islands that have to run, those of a worker by
+// itself, as a rule.
+template <class Action>
+void eachIsland(WorldState& world, const Window& window, const Action& action)
+{
+  constexpr std::size_t kAtATime = 4;
+  IslandRecords& islands = world.islands;
+  islands.ends.clear();
+  std::size_t count = 0;
+  for (const IslandWork& list : islands.work) islands.ends.push_back(count += list.roots.size());
+  world.workers.eachOfShares(islands.ends, kAtATime,
+                             [&](std::size_t begin, std::size_t end, std::size_t worker)
+                             {
+                               for (std::size_t l = 0, first = 0; l < islands.work.size(); first = islands.ends[l++])
+                               {
+                                 const std::size_t from = std::max(begin, first), to = std::min(end, islands.ends[l]);
+                                 const std::uint32_t* roots = islands.work[l].roots.data();
+                                 if (from < to) action(world, ofWorker(world, window, worker), roots + (from - first), to - from);
+                               }
+                             });
+}
 }  // namespace
 
 void save(WorldState& world, IslandWork& work, std::size_t i)
@@ -123,38 +128,13 @@ void save(WorldState& world, IslandWork& work, std::size_t i)
   work.saved.push_back(world.balls[i]);
 }
 
-void uniteWhoMet(WorldState& world)
-{
-  IslandRecords& islands = world.islands;
-  islands.islands.clear();
-  for (IslandWork& work : islands.work)
-    for (const auto& [i, k] : work.met)
-    {
-      islands.makeBusy(work, i);
-      islands.makeBusy(work, k);
-      unite(islands, i, k);
-    }
-  // In the order of the workers who have found them: those are near each other in the room, and in the cache of a core.
-  for (IslandWork& work : islands.work)
-  {
-    for (const auto& pair : work.met)
-    {
-      const std::uint32_t root = rootOf(islands, pair[0]);
-      if (islands.busy(root).listed) continue;
-      islands.busy(root).listed = true;
-      islands.islands.push_back(root);
-    }
-    work.met.clear();
-  }
-}
-
 void runIslandsOnce(WorldState& world, const Window& window)
 {
   IslandRecords& islands = world.islands;
   ++islands.runs;
-  partsOf(islands.islands, world, window, runIslandParts);
-  islands.addToGrid();
-  partsOf(islands.islands, world, window, findWhoWasMet);
+  eachIsland(world, window, runIslandParts);
+  islands.addToGrid(world.workers);
+  eachIsland(world, window, findWhoWasMet);
   uniteWhoMet(world);
 }
 }  // namespace ping_pong

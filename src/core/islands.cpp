@@ -5,6 +5,7 @@
 
 #include "handover.h"
 #include "island_runs.h"
+#include "island_unions.h"
 #include "window_contacts.h"
 #include "window_flight.h"
 
@@ -28,7 +29,7 @@ void startAnew(WorldState& world)
 {
   IslandRecords& islands = world.islands;
   islands.glances.lookAtAll(world.balls);
-  islands.busy_at.assign(world.balls.size(), IslandRecords::kNoEntry);
+  islands.busy_at.assign(world.balls.size(), BusyEntry());
   for (IslandWork& work : islands.work)  // of glances that are no more
   {
     work.added.clear();
@@ -36,18 +37,16 @@ void startAnew(WorldState& world)
   }
 }
 
-// As it was before this window, for those that are not.
-void forgetIslands(WorldState& world, bool ahead)
+// As they were before this window, for those that are not.
+void forgetIslands(IslandRecords& islands, IslandWork& list, bool ahead)
 {
-  IslandRecords& islands = world.islands;
-  for (IslandWork& work : islands.work)
-    for (const IslandWork::Busy& busy : work.busy)
-    {
-      const std::uint32_t i = busy.ball;
-      islands.busy_at[i] = IslandRecords::kNoEntry;
-      islands.glances[i].bent = false;
-      if (ahead && isDue(islands, i)) islands.noteDue(work, i);
-    }
+  for (const IslandWork::Busy& busy : list.busy)
+  {
+    const std::uint32_t i = busy.ball;
+    islands.busy_at[i] = IslandRecords::kNoEntry;
+    islands.glances[i].bent = false;
+    if (ahead && isDue(islands, i)) islands.noteDue(list, i);
+  }
 }
 
 void begin(WorldState& world)
@@ -55,7 +54,6 @@ void begin(WorldState& world)
   IslandRecords& islands = world.islands;
   if (!islands.glances.known()) startAnew(world);
   islands.runs = 0;
-  islands.islands.clear();
   for (IslandWork& work : islands.work)
   {
     work.keep_contacts = world.keep_contacts;
@@ -68,6 +66,8 @@ void begin(WorldState& world)
     work.busy.clear();
     work.pieces.clear();
     work.met.clear();
+    work.roots.clear();
+    work.squares = 0;
     work.crowded.clear();
   }
   islands.first_contact = world.origins.size();
@@ -80,14 +80,9 @@ bool worthAShorterWindow(const WorldState& world, const Window& window)
   const IslandRecords& islands = world.islands;
   if (!(window.end - window.start > 1.5001 * WindowLength::kShortest)) return false;  // the next try would be as long: see runIslands()
   const double limit = kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
-  double searches = pairSearches(islands);
-  for (const std::uint32_t root : islands.islands)
-  {
-    double m = 1.0;
-    for (std::uint32_t i = islands.busy(root).next; i != root; i = islands.busy(i).next) m += 1.0;
-    searches += m * m;
-  }
-  return searches > limit;
+  std::size_t squares = 0;
+  for (const IslandWork& work : islands.work) squares += work.squares;
+  return pairSearches(islands) + static_cast<double>(squares) > limit;
 }
 
 // As if the window had never begun.
@@ -117,6 +112,21 @@ bool passOnWhoIsCrowded(WorldState& world, double start)
   return true;
 }
 
+void endWindow(WorldState& world, const Window& window)
+{
+  const bool ahead = window.outlook > window.end;
+  eachList(world, window,
+           [ahead](WorldState& its_world, const Window& its, IslandWork& list)
+           {
+             dropVoidContacts(its_world, list);
+             if (ahead) lookAhead(its_world, its, list);
+           });
+  takeContacts(world);
+  if (ahead) endIfManyChanged(world, window);
+  eachList(world, window,
+           [ahead](WorldState& its_world, const Window&, IslandWork& list) { forgetIslands(its_world.islands, list, ahead); });
+}
+
 enum class Outcome
 {
   Done,
@@ -133,7 +143,7 @@ Outcome runWindow(WorldState& world, const Window& window)
     flyOn(world, window);
   else
     flyAnew(world, window);
-  for (uniteWhoMet(world); !islands.islands.empty(); runIslandsOnce(world, window))
+  for (uniteWhoMet(world); islands.islandsToRun() > 0; runIslandsOnce(world, window))
   {
     if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
     if (!worthAShorterWindow(world, window)) continue;
@@ -141,10 +151,7 @@ Outcome runWindow(WorldState& world, const Window& window)
     return Outcome::TooLong;
   }
   if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
-  takeContacts(world);
-  const bool ahead = window.outlook > window.end;
-  if (ahead) lookAhead(world, window);
-  forgetIslands(world, ahead);
+  endWindow(world, window);
   return Outcome::Done;
 }
 

@@ -130,20 +130,19 @@ void lookAtMeetings(const WorldState& world, const Window& window, const std::ve
 }
 
 // Whoever was in an island, but has not been hit, was thought to have met someone: what comes after that has not been looked for.
-void lookAhead(WorldState& world, const Window& window)
+void lookAhead(WorldState& world, const Window& window, const IslandWork& list)
 {
-  IslandRecords& islands = world.islands;
-  eachList(world, window,
-           [&islands](WorldState& its_world, const Window& its, const IslandWork& list)
-           {
-             std::vector<std::uint32_t>& unhit = its.work->thrown;
-             unhit.clear();
-             for (const IslandWork::Busy& busy : list.busy)
-               if (busy.run > 0 && !busy.met && !islands.glances.away(busy.ball)) unhit.push_back(busy.ball);
-             lookForNext(its_world, its, unhit.data(), unhit.size());
-           });
+  std::vector<std::uint32_t>& unhit = window.work->thrown;
+  unhit.clear();
+  for (const IslandWork::Busy& busy : list.busy)
+    if (busy.run > 0 && !busy.met && !world.islands.glances.away(busy.ball)) unhit.push_back(busy.ball);
+  lookForNext(world, window, unhit.data(), unhit.size());
+}
+
+void endIfManyChanged(WorldState& world, const Window& window)
+{
   std::size_t added = 0;
-  for (const IslandWork& work : islands.work) added += work.added.size();
-  if (static_cast<double>(added) > kMostChanges * static_cast<double>(world.balls.size())) islands.outlook.end = window.end;
+  for (const IslandWork& work : world.islands.work) added += work.added.size();
+  if (static_cast<double>(added) > kMostChanges * static_cast<double>(world.balls.size())) world.islands.outlook.end = window.end;
 }
 }  // namespace ping_pong

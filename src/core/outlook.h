@@ -50,7 +50,9 @@ void takeMeetings(IslandWork& list, const Glances& glances, double end);
 /// Those of them who do, on the paths that they are on, are noted as having met.
 void lookAtMeetings(const WorldState& world, const Window& window, const std::vector<Meeting>& meetings);
 
-/// At the end of a window: looks for whom those meet next who were thought to have met someone but have not, and ends the
-/// outlook if too many have changed.
-void lookAhead(WorldState& world, const Window& window);
+/// At the end of a window: looks for whom those in this list meet next who were thought to have met someone but have not.
+void lookAhead(WorldState& world, const Window& window, const IslandWork& list);
+
+/// Ends the outlook with this window if too many have changed.
+void endIfManyChanged(WorldState& world, const Window& window);
 }  // namespace ping_pong

@@ -12,24 +12,6 @@ bool happened(const WorldState& world, const ContactOrigin& origin)
 {
   return origin.run == (world.islands.isBusy(origin.ball) ? world.islands.busy(origin.ball).run : 0u);
 }
-
-// Of the contacts from the first on, those that have happened.
-void dropVoid(WorldState& world, std::size_t first)
-{
-  std::size_t kept = first;
-  for (std::size_t c = first; c < world.origins.size(); ++c)
-  {
-    if (!happened(world, world.origins[c])) continue;
-    if (kept != c)
-    {
-      if (world.keep_contacts) world.contacts[kept] = world.contacts[c];
-      world.origins[kept] = world.origins[c];
-    }
-    ++kept;
-  }
-  world.origins.resize(kept);
-  if (world.keep_contacts) world.contacts.resize(kept);
-}
 }  // namespace
 
 void lendContacts(WorldState& world)
@@ -60,23 +42,39 @@ void sortContacts(WorldState& world, std::size_t first)
   }
 }
 
+// The first worker's list is the world's.
+void dropVoidContacts(const WorldState& world, IslandWork& list)
+{
+  std::size_t kept = list.worker == 0 ? world.islands.first_contact : 0;
+  for (std::size_t c = kept; c < list.origins.size(); ++c)
+  {
+    if (!happened(world, list.origins[c])) continue;
+    if (kept != c)
+    {
+      if (world.keep_contacts) list.contacts[kept] = list.contacts[c];
+      list.origins[kept] = list.origins[c];
+    }
+    ++kept;
+  }
+  list.origins.resize(kept);
+  if (world.keep_contacts) list.contacts.resize(kept);
+}
+
 // All contacts of a ball that have happened are in the list of one worker, in their order: which one does not matter.
 void takeContacts(WorldState& world)
 {
   const std::size_t first = world.islands.first_contact;
   lendContacts(world);  // and back
-  dropVoid(world, first);
+  std::size_t contacts = world.origins.size() - first;
   for (std::size_t worker = 1; worker < world.islands.work.size(); ++worker)
   {
-    IslandWork& work = world.islands.work[worker];
-    for (std::size_t c = 0; c < work.origins.size(); ++c)
-    {
-      if (!happened(world, work.origins[c])) continue;
-      if (world.keep_contacts) world.contacts.push_back(work.contacts[c]);
-      world.origins.push_back(work.origins[c]);
-    }
+    const IslandWork& work = world.islands.work[worker];
+    contacts += work.origins.size();
+    if (!world.keep_contacts) continue;
+    world.contacts.insert(world.contacts.end(), work.contacts.begin(), work.contacts.end());
+    world.origins.insert(world.origins.end(), work.origins.begin(), work.origins.end());
   }
-  world.status.contacts += world.origins.size() - first;
+  world.status.contacts += contacts;
   if (world.keep_contacts)
     sortContacts(world, first);
   else

@@ -9,7 +9,10 @@ namespace ping_pong
 /// call gives them back.
 void lendContacts(WorldState& world);
 
-/// To be called when a window is done: what has happened in it is added to the world's list.
+/// To be called for each list when a window is done: what has not happened is dropped from it.
+void dropVoidContacts(const WorldState& world, IslandWork& list);
+
+/// What is left is added to the world's list.
 void takeContacts(WorldState& world);
 
 /// By time, ties by ball, from the first one on.

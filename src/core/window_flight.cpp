@@ -9,8 +9,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::size_t kBoxes = 256;    // that a worker takes at a time
-constexpr std::size_t kPlacesAhead = 8;  // glances are fetched
+constexpr std::size_t kBoxes = 256;  // that a worker takes at a time
 
 bool hasEvents(const WorldState& world, std::size_t i, double end)
 {
@@ -103,10 +102,9 @@ void flyAnew(WorldState& world, const Window& window)
   const bool ahead = window.outlook > window.end;
   beginOutlook(world, window);
   grid.layOut(world.balls.size(), [&](std::size_t i) { return quietBox(world, window, i); });
-  grid.putAll(world.workers,
+  grid.putAll(world.workers, [&islands](std::uint32_t i) { islands.glances.fetch(i); },
               [&](std::size_t place, std::uint32_t i, std::size_t worker)
               {
-                islands.glances.fetch(grid.at(place + kPlacesAhead));
                 if (!hasEvents(world, i, window.end))
                 {
                   grid.put(place, quietBox(world, window, i));
@@ -141,7 +139,7 @@ void flyOn(WorldState& world, const Window& window)
              runInTurn(its_world, its, list);
              takeMeetings(list, its_world.islands.glances, its.end);
            });
-  world.islands.addToGrid();
+  world.islands.addToGrid(world.workers);
   eachList(world, window,
            [](WorldState& its_world, const Window& its, const IslandWork& list)
            {

@@ -93,7 +93,7 @@ void Workers::share(const Job& job)
   for (std::size_t k = 0; k < desks_.size(); ++k)
   {
     desks_[k].job = job;
-    desks_[k].next = k * job.size / desks_.size();
+    desks_[k].next = k == 0 ? 0 : job.end(k - 1, desks_.size());
   }
   for (std::size_t k = 1; k < desks_.size(); ++k) desks_[k].state = State::Offered;
   if (sleeping_ > 0)
@@ -121,7 +121,7 @@ void Workers::workOn(const Job& job, std::size_t worker)
 {
   for (std::size_t k = 0; k < desks_.size(); ++k)
   {
-    const std::size_t owner = (worker + k) % desks_.size(), end = (owner + 1) * job.size / desks_.size();
+    const std::size_t owner = (worker + k) % desks_.size(), end = job.end(owner, desks_.size());
     std::atomic<std::size_t>& next = desks_[owner].next;
     for (std::size_t begin = next.fetch_add(job.grain); begin < end; begin = next.fetch_add(job.grain))
       job.call(job.action, begin, std::min(begin + job.grain, end), worker);

@@ -33,21 +33,41 @@ public:
   template <class Action>
   void each(std::size_t size, std::size_t grain, const Action& action)
   {
+    each(size, nullptr, grain, action);
+  }
+
+  /// The same where worker k begins with indices from ends[k - 1], or 0, to before ends[k]: there are count() ends.
+  template <class Action>
+  void eachOfShares(const std::vector<std::size_t>& ends, std::size_t grain, const Action& action)
+  {
+    each(ends.back(), ends.data(), grain, action);
+  }
+
+private:
+  template <class Action>
+  void each(std::size_t size, const std::size_t* ends, std::size_t grain, const Action& action)
+  {
     if (size == 0) return;
     if (threads_.empty() || size <= grain)
       action(std::size_t{0}, size, std::size_t{0});
     else
       share({[](const void* a, std::size_t begin, std::size_t end, std::size_t worker)
              { (*static_cast<const Action*>(a))(begin, end, worker); },
-             &action, size, grain});
+             &action, size, ends, grain});
   }
 
-private:
   struct Job
   {
     void (*call)(const void* action, std::size_t begin, std::size_t end, std::size_t worker);
     const void* action;
-    std::size_t size, grain;
+    std::size_t size;
+    const std::size_t* ends;  ///< of shares; null: equal ones
+    std::size_t grain;
+
+    std::size_t end(std::size_t worker, std::size_t workers) const
+    {
+      return ends ? ends[worker] : (worker + 1) * size / workers;
+    }
   };
 
   enum class State : std::uint32_t

@@ -47,12 +47,13 @@ Box boxOf(const BallRecord& ball, double from, double to)
 
 void IslandRecords::reserve(std::size_t balls, std::size_t workers)
 {
-  broad_phase.reserve(balls);
+  broad_phase.reserve(balls, workers);
   glances.reserve(balls);
   takeMemory(busy_at, balls);
   const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
-  for (std::vector<std::uint32_t>* list : {&islands, &found, &near}) takeMemory(*list, meetings);
+  for (std::vector<std::uint32_t>* list : {&found, &near}) takeMemory(*list, meetings);
   takeMemory(near_boxes, balls);
+  ends.reserve(workers);
   takeMemory(order, 256 + 8 * balls);
   work.resize(workers);
   for (std::uint32_t worker = 0; worker < workers; ++worker)
@@ -70,6 +71,8 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     takeMemory(its.members, balls);
     takeMemory(its.crowded, balls);
     takeMemory(its.met, meetings);
+    takeMemory(its.apart, 256);
+    takeMemory(its.roots, meetings);
     takeMemory(its.meetings, meetings);
     takeMemory(its.due_meetings, meetings);
     takeMemory(its.pieces, 2048 + 4 * balls);

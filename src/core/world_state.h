@@ -1,6 +1,7 @@
 // What the methods share: every ball, every body, and the records of the tick.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -170,8 +171,8 @@ struct NearList
   }
 };
 
-/// What a worker has to do with a window, see islands.h.
-struct IslandWork : Records
+/// What a worker has to do with a window, see islands.h. In lines of the cache of its own.
+struct alignas(128) IslandWork : Records
 {
   /// Of a ball's flight in this window.
   struct Piece
@@ -188,6 +189,7 @@ struct IslandWork : Records
   {
     std::uint32_t ball;
     std::uint32_t root, next;      ///< union-find over balls, and the circular list of an island's; the least index is the root
+    std::uint32_t size;            ///< of the island, if this is its root [balls]
     std::uint32_t saved, piece;    ///< entries in the lists of workers, or IslandRecords::kNoEntry; its last piece
     std::uint32_t run : 30;        ///< of its island, the last one; 0 if the ball has been alone
     std::uint32_t met : 1;         ///< it has hit a ball in that run
@@ -200,7 +202,10 @@ struct IslandWork : Records
   std::vector<BallRecord> saved;      ///< balls at the start of the window, of those that have changed since
   std::vector<Piece> pieces;          ///< flown in this window, see flown.h
   std::vector<std::size_t> members;   ///< the island at work
-  std::vector<std::array<std::uint32_t, 2>> met;  ///< balls that are in each other's way
+  std::vector<std::array<std::uint32_t, 2>> met;  ///< balls that are in each other's way,
+  std::vector<std::array<std::uint32_t, 2>> apart;  ///< and those of them that are not both in `busy`
+  std::vector<std::uint32_t> roots;   ///< of islands that have to run
+  std::size_t squares = 0;            ///< of the sizes of islands: all workers' together are those of all that have to run
   std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see handover.h
   std::vector<std::uint32_t> thrown;  ///< balls that have left their paths
   std::vector<BroadPhase::Addition> announced;  ///< their boxes, on their way to the grid
@@ -214,11 +219,37 @@ struct IslandWork : Records
   std::vector<std::uint32_t> added;   ///< balls whose paths have changed since it began, by each change
 };
 
+/// Where the record of a busy ball is. More than one worker may want to make one.
+class BusyEntry
+{
+public:
+  static constexpr std::uint32_t kNone = ~0u;
+
+  BusyEntry() = default;
+  BusyEntry(const BusyEntry& other) : entry_(other) {}
+  BusyEntry& operator=(const BusyEntry& other) { return *this = static_cast<std::uint32_t>(other); }
+  BusyEntry& operator=(std::uint32_t entry)
+  {
+    entry_.store(entry, std::memory_order_relaxed);
+    return *this;
+  }
+  operator std::uint32_t() const { return entry_.load(std::memory_order_relaxed); }
+  /// False if there was one.
+  bool claim(std::uint32_t entry)
+  {
+    std::uint32_t none = kNone;
+    return entry_.compare_exchange_strong(none, entry, std::memory_order_relaxed);
+  }
+
+private:
+  std::atomic<std::uint32_t> entry_{kNone};
+};
+
 /// What the exact method keeps from window to window, see islands.h. Balls to which nothing
 /// happens are not written to; between windows nobody is busy.
 struct IslandRecords
 {
-  static constexpr std::uint32_t kNoEntry = ~0u;
+  static constexpr std::uint32_t kNoEntry = BusyEntry::kNone;
 
   /// An entry in a list of a worker.
   static constexpr std::uint32_t kIndexBits = 26;
@@ -239,9 +270,29 @@ struct IslandRecords
   {
     if (isBusy(i)) return busy(i);
     busy_at[i] = entry(its_work, its_work.busy.size());
+    return addBusy(its_work, i);
+  }
+  /// Whether it is in the list of this worker, if need be from now on. By all workers at the same time.
+  bool claim(IslandWork& its_work, std::size_t i)
+  {
+    if (work.size() == 1) return makeBusy(its_work, i).ball == i;  // an exchange takes as long as a dozen other operations
+    const std::uint32_t its = busy_at[i];
+    if (its != kNoEntry) return its >> kIndexBits == its_work.worker;
+    if (!busy_at[i].claim(entry(its_work, its_work.busy.size()))) return false;
+    addBusy(its_work, i);
+    return true;
+  }
+  static IslandWork::Busy& addBusy(IslandWork& its_work, std::size_t i)
+  {
     const auto ball = static_cast<std::uint32_t>(i);
-    its_work.busy.push_back({ball, ball, ball, kNoEntry, kNoEntry, 0, 0, 0, CoarseBox()});
+    its_work.busy.push_back({ball, ball, ball, 1, kNoEntry, kNoEntry, 0, 0, 0, CoarseBox()});
     return its_work.busy.back();
+  }
+  std::size_t islandsToRun() const
+  {
+    std::size_t count = 0;
+    for (const IslandWork& its_work : work) count += its_work.roots.size();
+    return count;
   }
   std::uint32_t lastPiece(std::size_t i) const { return isBusy(i) ? busy(i).piece : kNoEntry; }
   const IslandWork::Piece& piece(std::uint32_t entry) const { return workOf(entry).pieces[indexOf(entry)]; }
@@ -265,8 +316,8 @@ struct IslandRecords
   Glances glances;                         ///< of each ball
   BroadPhase broad_phase;                  ///< of what each ball would sweep if no other were there
   std::vector<IslandWork> work;            ///< of each worker
-  std::vector<std::uint32_t> busy_at;      ///< entry in `busy` of a worker, by ball
-  std::vector<std::uint32_t> islands;      ///< roots of those that have to run
+  std::vector<BusyEntry> busy_at;          ///< entry in `busy` of a worker, by ball
+  std::vector<std::size_t> ends;           ///< of the lists of islands that have to run, one after the other
   std::vector<std::uint32_t> found, near;  ///< balls near a pile; a list for a moment
   std::vector<CoarseBox> near_boxes;       ///< of those near a pile
   std::vector<Place> order;                ///< of the window's contacts
@@ -282,13 +333,10 @@ struct IslandRecords
     its_work.added.push_back(i);
     broad_phase.announce(i, busy(i).swept, its_work.announced);
   }
-  void addToGrid()
+  void addToGrid(Workers& workers)
   {
-    for (IslandWork& its_work : work)
-    {
-      broad_phase.add(its_work.announced);
-      its_work.announced.clear();
-    }
+    broad_phase.add(work, &IslandWork::announced, workers);
+    for (IslandWork& its_work : work) its_work.announced.clear();
   }
   /// Ball i may have an event with a body before the outlook ends.
   void noteDue(IslandWork& its_work, std::uint32_t i)

@@ -120,6 +120,37 @@ TEST(BroadPhase, FindsEveryPairOnceInSharesOfAnySize)
   }
 }
 
+Pairs pairsFound(const BroadPhase& broad_phase, const std::vector<CoarseBox>& boxes)
+{
+  Pairs pairs;
+  broad_phase.eachPair(
+      [&](std::uint32_t a, std::uint32_t b)
+      {
+        if (boxes[a].overlaps(boxes[b])) EXPECT_TRUE(pairs.insert(std::minmax(a, b)).second) << "told twice";
+      });
+  return pairs;
+}
+
+// Several workers begin with the order of the time before; in between everything may be elsewhere, or of another number.
+TEST(BroadPhase, FindsEveryPairWhereverBoxesWereBefore)
+{
+  for (const std::size_t threads : {2, 5})
+  {
+    Workers workers;
+    workers.start(threads);
+    BroadPhase broad_phase;
+    for (const std::size_t count : {3000, 3000, 3000, 1700, 1700})
+      for (unsigned seed = 0; seed < 3; ++seed)
+      {
+        std::vector<CoarseBox> boxes = seed == 2 ? someBoxes(count, seed) : evenBoxes(count, seed);
+        for (std::size_t i = 0; i < boxes.size(); i += 11) boxes[i] = CoarseBox();
+        build(broad_phase, boxes, workers);
+        EXPECT_EQ(pairsFound(broad_phase, boxes), everyPair(boxes)) << count << ", " << seed;
+        EXPECT_EQ(broad_phase.boxes(), boxes.size() - (boxes.size() + 10) / 11);
+      }
+  }
+}
+
 // A gas: rounding to small parts of a cell adds little to what overlaps.
 TEST(BroadPhase, HardlyTakesOthersForPairs)
 {
@@ -184,20 +215,24 @@ std::set<std::uint32_t> addedNear(const BroadPhase& broad_phase, const CoarseBox
   return told;
 }
 
-void add(BroadPhase& broad_phase, const std::vector<CoarseBox>& boxes)
+struct ListOfAdditions
 {
-  std::vector<BroadPhase::Addition> list;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) broad_phase.announce(i, boxes[i], list);
-  broad_phase.add(list);
+  std::vector<BroadPhase::Addition> additions;
+};
+
+void add(BroadPhase& broad_phase, const std::vector<CoarseBox>& boxes, Workers& workers)
+{
+  std::vector<ListOfAdditions> lists(2);
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) broad_phase.announce(i, boxes[i], lists[i % 2].additions);
+  broad_phase.add(lists, &ListOfAdditions::additions, workers);
 }
 
-TEST(BroadPhase, FindsBoxesThatWereAddedLater)
+void expectToFindAdded(Workers& workers)
 {
-  Workers alone;
   BroadPhase broad_phase;
-  const std::vector<CoarseBox> boxes = someBoxes(500, 3), later = someBoxes(400, 8), asked = someBoxes(300, 4);
-  build(broad_phase, boxes, alone);
-  add(broad_phase, later);
+  const std::vector<CoarseBox> boxes = someBoxes(2500, 3), later = someBoxes(400, 8), asked = someBoxes(300, 4);
+  build(broad_phase, boxes, workers);
+  add(broad_phase, later, workers);
   std::size_t overlapping = 0;
   for (const CoarseBox& box : asked)
   {
@@ -210,8 +245,18 @@ TEST(BroadPhase, FindsBoxesThatWereAddedLater)
     }
   }
   EXPECT_GT(overlapping, 500u);
-  build(broad_phase, boxes, alone);
+  build(broad_phase, boxes, workers);
   for (const CoarseBox& box : asked) EXPECT_TRUE(addedNear(broad_phase, box).empty());
+}
+
+TEST(BroadPhase, FindsBoxesThatWereAddedLater)
+{
+  for (const std::size_t threads : {1, 4})
+  {
+    Workers workers;
+    workers.start(threads);
+    expectToFindAdded(workers);
+  }
 }
 
 TEST(BroadPhase, LooksAtFewOfManyAddedBoxes)
@@ -226,7 +271,7 @@ TEST(BroadPhase, LooksAtFewOfManyAddedBoxes)
   Workers alone;
   BroadPhase broad_phase;
   build(broad_phase, boxes, alone);
-  add(broad_phase, boxes);
+  add(broad_phase, boxes, alone);
   std::size_t looked_at = 0;
   for (const CoarseBox& box : boxes) eachOverlapping(broad_phase, box, [&](std::uint32_t, bool added) { looked_at += added; });
   measured("added boxes looked at, of 5000", static_cast<double>(looked_at) / 5000.0);
