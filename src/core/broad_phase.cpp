@@ -13,7 +13,6 @@ namespace
 constexpr double kCellsPerBox = 0.7;  // at most, but for empty ones at the border,
 constexpr double kMostCells = 1.5;    // and with these
 constexpr double kFewCells = 64.0;    // more than that
-constexpr double kManyCells = 64.0;   // a box over more cells than this is in no list of a cell
 constexpr double kSpread = 3.0;     // the grid covers so many standard deviations; boxes outside are in its outer cells
 constexpr double kLongEdges = 3.0;  // longer than the mean along an axis by so many standard deviations: in no cell
 
@@ -133,12 +132,11 @@ void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
   slices_ = kSlices * cells_;
 }
 
-// Into those of this part. One that is in no list of a cell is in the care of the first part.
+// Into those of this part.
 void BroadPhase::addToLists(std::size_t part, const Extent& extent, std::uint32_t index)
 {
   const Cell first = cellAt(extent.low()), last = cellAt(extent.high);
-  const double cells = (last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0);
-  if (cells > kManyCells)
+  if (overManyCells(first, last))
   {
     if (part == 0) everywhere_.push_back({extent, index, kNoLink});
     return;

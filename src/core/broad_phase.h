@@ -60,15 +60,14 @@ public:
               });
   }
 
-  /// What add() needs to know of this box; by any worker, for a list of its own.
+  /// What add() needs to know of boxes, by parts of the grid.
+  using Additions = std::vector<std::vector<Addition>>;
+  /// By any worker, for a list of its own.
   template <class AnyBox>
-  void announce(std::uint32_t index, const AnyBox& box, std::vector<Addition>& list) const
-  {
-    if (!box.empty()) list.push_back({extentOf(box), index | kAdded});
-  }
-  /// Those of lists with this member, of which some may be empty, are there, too, until the boxes are sorted again.
+  void announce(std::uint32_t index, const AnyBox& box, Additions& list) const;
+  /// Those of lists with this member are there, too, until the boxes are sorted again; the lists are empty then.
   template <class List>
-  void add(const std::vector<List>& lists, std::vector<Addition> List::* member, Workers& workers);
+  void add(std::vector<List>& lists, Additions List::* member, Workers& workers);
   /// Appends the index of each that overlaps this box, once, with kAdded for those that were.
   template <class AnyBox>
   void listOverlapping(const AnyBox& box, std::vector<std::uint32_t>& list) const;
@@ -203,6 +202,12 @@ private:
   void takeFromCells(const Extent& extent, const Take& take) const;
   template <class Take>
   void takeFromLists(const Extent& extent, const Take& take) const;
+  /// Then it is in no list of a cell, but in the care of the first part.
+  static bool overManyCells(const Cell& first, const Cell& last)
+  {
+    constexpr double kManyCells = 64.0;
+    return (last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0) > kManyCells;
+  }
   void addToLists(std::size_t part, const Extent& extent, std::uint32_t index);
   void noteBlock(std::size_t block);
   std::size_t endOf(std::size_t block) const { return std::min((block + 1) * kBlock, count_); }
@@ -313,7 +318,7 @@ BroadPhase::Corner BroadPhase::cornerAt(const AnyBox& p) const
 }
 
 template <class AnyBox>
-BroadPhase::Extent BroadPhase::extentOf(const AnyBox& box) const
+[[gnu::always_inline]] inline BroadPhase::Extent BroadPhase::extentOf(const AnyBox& box) const
 {
   return {0u - cornerAt(box.low), cornerAt(box.high) | borrows_};
 }
@@ -466,11 +471,12 @@ void BroadPhase::takeFromLists(const Extent& extent, const Take& take) const
     if (overlap(box.extent, extent)) take(box.index);
   if (!any_link_) return;
   const Cell first = cellAt(extent.low()), last = cellAt(extent.high);
+  const Listed* only = parts() == 1 ? links_.front().data() : nullptr;
   const auto takeFromList = [&](int x, int y, int z)
   {
     for (std::uint32_t link = last_link_[cell(x, y, z)]; link != kNoLink;)
     {
-      const Listed& box = links_[link >> kLinkBits][link & ((1u << kLinkBits) - 1u)];
+      const Listed& box = only ? only[link] : links_[link >> kLinkBits][link & ((1u << kLinkBits) - 1u)];
       link = box.next;
       const Cell its = cellAt(box.extent.low());  // of all cells that both are in, the first one tells
       const bool tells = (x == std::max(first[0], its[0])) & (y == std::max(first[1], its[1])) & (z == std::max(first[2], its[2]));
@@ -480,21 +486,40 @@ void BroadPhase::takeFromLists(const Extent& extent, const Take& take) const
   eachCell(first, last, takeFromList);
 }
 
+template <class AnyBox>
+void BroadPhase::announce(std::uint32_t index, const AnyBox& box, Additions& list) const
+{
+  if (box.empty()) return;
+  if (list.size() < parts()) list.resize(parts());
+  const Addition addition{extentOf(box), index | kAdded};
+  if (parts() == 1) return list.front().push_back(addition);
+  const Cell low = cellAt(addition.extent.low()), high = cellAt(addition.extent.high);
+  if (overManyCells(low, high)) return list.front().push_back(addition);
+  const std::size_t first = cell(low[0], low[1], low[2]), last = cell(high[0], high[1], high[2]);
+  for (std::size_t part = 0; part < parts(); ++part)
+    if (first < firstCell(part + 1) && last >= firstCell(part)) list[part].push_back(addition);
+}
+
 // Each part of the grid is one worker's.
 template <class List>
-void BroadPhase::add(const std::vector<List>& lists, std::vector<Addition> List::* member, Workers& workers)
+void BroadPhase::add(std::vector<List>& lists, Additions List::* member, Workers& workers)
 {
   constexpr std::size_t kFew = 8;  // are not worth sharing
   std::size_t count = 0;
-  for (const List& list : lists) count += (list.*member).size();
+  for (const List& list : lists)
+    for (const std::vector<Addition>& its : list.*member) count += its.size();
   if (count == 0) return;
   any_link_ = true;
   workers.each(parts(), count <= kFew ? parts() : 1,
                [&](std::size_t begin, std::size_t end, std::size_t)
                {
                  for (std::size_t part = begin; part < end; ++part)
-                   for (const List& list : lists)
-                     for (const Addition& one : list.*member) addToLists(part, one.extent, one.index);
+                   for (List& list : lists)
+                   {
+                     if (part >= (list.*member).size()) continue;
+                     for (const Addition& one : (list.*member)[part]) addToLists(part, one.extent, one.index);
+                     (list.*member)[part].clear();
+                   }
                });
 }
 

@@ -137,7 +137,7 @@ void noteLast(WorldState& world, const Window& window, std::size_t i)
   IslandRecords& islands = world.islands;
   const bool bent = islands.busy(i).piece != IslandRecords::kNoEntry;
   islands.busy(i).swept.add(CoarseBox(boxAhead(world.balls[i], window.start, window.outlook)));
-  islands.glances.lookAt(world.balls[i], i, bent);
+  islands.busy(i).next_event = islands.glances.lookAt(world.balls[i], i, bent);
 }
 
 double firstMeeting(const WorldState& world, std::size_t i, std::size_t k, double until)

@@ -39,16 +39,16 @@ std::uint8_t Glances::kindFor(const BallRecord& ball, std::uint8_t guess) const
   return kAskRecord;
 }
 
-void Glances::lookAt(const BallRecord& ball, std::size_t i, bool bent)
+float Glances::lookAt(const BallRecord& ball, std::size_t i, bool bent)
 {
   Glance& glance = list_[i];
-  glance.next = floatBefore(std::min(ball.next.time, ball.meetsMoving()));
   glance.version = static_cast<std::uint16_t>(ball.version);
   glance.kind = kindFor(ball, glance.kind);
   glance.bent = bent;
   glance.start = ball.path.start;
   glance.p = ball.path.c[0];
   glance.v = ball.path.degree == 0 ? Vector3d(Vector3d::Zero()) : ball.path.c[1];
+  return floatBefore(std::min(ball.next.time, ball.meetsMoving()));
 }
 
 // The kinds are found here: while windows run, several workers read them.
@@ -60,7 +60,7 @@ void Glances::lookAtAll(const std::vector<BallRecord>& balls)
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     const BallRecord& ball = balls[i];
-    lookAt(ball, i, false);
+    list_[i].next = lookAt(ball, i, false);
     const GlanceKind::How how = howOf(ball);
     const bool new_kind = list_[i].kind == kAskRecord && how != GlanceKind::How::AskRecord;
     const bool rolls = how == GlanceKind::How::Flies && !ball.supports.none();

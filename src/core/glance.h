@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "box.h"
@@ -21,19 +22,30 @@ inline float floatBefore(double t)
   return near - kRounding * std::abs(near);
 }
 
-struct alignas(64) Glance
+/// What changes most, in one word: of several workers one can claim a ball.
+struct alignas(8) GlanceHead
 {
-  float next = 0.0f;       ///< no event with a body is earlier [s]
+  union
+  {
+    float next = 0.0f;    ///< no event with a body is earlier [s]; of a busy ball:
+    std::uint32_t entry;  ///< of its record, see IslandRecords
+  };
   std::uint16_t version = 0;  ///< of the path: its last bits
-  std::uint8_t kind = 0;   ///< entry in Glances::kinds
-  bool bent : 1;           ///< the ball has left a path in this window,
-  bool added : 1;          ///< or in one before since the grid was built, or may have
-  bool due : 1;            ///< it is in a list, see IslandWork::due
-  double start = 0.0;      ///< of the path [s]
-  Vector3d p, v;           ///< there, in W [m, m/s]
+  std::uint8_t kind = 0;      ///< entry in Glances::kinds
+  bool bent : 1;              ///< the ball has left a path in this window,
+  bool added : 1;             ///< or in one before since the grid was built, or may have
+  bool due : 1;               ///< it is in a list, see IslandWork::due
+  bool busy : 1;              ///< something happens to it in this window
 
-  Glance() : bent(false), added(false), due(false) {}
+  GlanceHead() : bent(false), added(false), due(false), busy(false) {}
 };
+
+struct alignas(64) Glance : GlanceHead
+{
+  double start = 0.0;  ///< of the path [s]
+  Vector3d p, v;       ///< there, in W [m, m/s]
+};
+static_assert(sizeof(GlanceHead) == 8, "a word");
 static_assert(sizeof(Glance) == 64, "a line of the cache");
 
 /// What many balls have in common.
@@ -60,7 +72,25 @@ public:
   bool known() const { return known_; }
   void lookAtAll(const std::vector<BallRecord>& balls);
   /// To be called when ball i will not change any more, for now.
-  void lookAt(const BallRecord& ball, std::size_t i, bool bent);
+  /// @return what its `next` has to be when it is not busy
+  float lookAt(const BallRecord& ball, std::size_t i, bool bent);
+
+  /// While other workers may make balls busy:
+  GlanceHead head(std::size_t i) const
+  {
+    const Word word = __atomic_load_n(wordOf(i), __ATOMIC_RELAXED);
+    GlanceHead head;
+    std::memcpy(static_cast<void*>(&head), &word, sizeof head);
+    return head;
+  }
+  /// False, with nothing changed, if it is not `now` any more.
+  bool replace(std::size_t i, const GlanceHead& now, const GlanceHead& other)
+  {
+    Word expected, wanted;
+    std::memcpy(&expected, &now, sizeof expected);
+    std::memcpy(&wanted, &other, sizeof wanted);
+    return __atomic_compare_exchange_n(const_cast<Word*>(wordOf(i)), &expected, wanted, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+  }
 
   /// It will be looked at soon: until then it comes through memory.
   void fetch(std::size_t i) const { __builtin_prefetch(&list_[i]); }
@@ -71,6 +101,9 @@ public:
 
 private:
   static constexpr std::size_t kMostKinds = 16;
+  using Word [[gnu::may_alias]] = std::uint64_t;
+
+  const Word* wordOf(std::size_t i) const { return reinterpret_cast<const Word*>(static_cast<const GlanceHead*>(&list_[i])); }
 
   bool is(std::uint8_t kind, const BallRecord& ball) const;
   std::uint8_t kindFor(const BallRecord& ball, std::uint8_t guess) const;

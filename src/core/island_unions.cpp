@@ -19,11 +19,6 @@ std::uint32_t rootOf(IslandRecords& islands, std::uint32_t i)
   }
 }
 
-bool isOf(const IslandRecords& islands, const IslandWork& work, std::uint32_t i)
-{
-  return islands.busy_at[i] >> IslandRecords::kIndexBits == work.worker;
-}
-
 // The same for a ball of this worker, if the way to the root leads over balls of this worker only; else nobody.
 std::uint32_t rootAmongOwn(IslandRecords& islands, const IslandWork& work, std::uint32_t i)
 {
@@ -32,9 +27,9 @@ std::uint32_t rootAmongOwn(IslandRecords& islands, const IslandWork& work, std::
   {
     std::uint32_t& root = islands.busy(i).root;
     if (root == i) return i;
-    if (!isOf(islands, work, root)) return IslandRecords::kNoEntry;
+    if (!islands.isOf(work, root)) return IslandRecords::kNoEntry;
     const std::uint32_t its = islands.busy(root).root;
-    if (!isOf(islands, work, its)) return IslandRecords::kNoEntry;
+    if (!islands.isOf(work, its)) return IslandRecords::kNoEntry;
     i = root = its;
   }
 }

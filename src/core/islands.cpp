@@ -29,7 +29,6 @@ void startAnew(WorldState& world)
 {
   IslandRecords& islands = world.islands;
   islands.glances.lookAtAll(world.balls);
-  islands.busy_at.assign(world.balls.size(), BusyEntry());
   for (IslandWork& work : islands.work)  // of glances that are no more
   {
     work.added.clear();
@@ -43,8 +42,9 @@ void forgetIslands(IslandRecords& islands, IslandWork& list, bool ahead)
   for (const IslandWork::Busy& busy : list.busy)
   {
     const std::uint32_t i = busy.ball;
-    islands.busy_at[i] = IslandRecords::kNoEntry;
-    islands.glances[i].bent = false;
+    Glance& glance = islands.glances[i];
+    glance.next = busy.next_event;
+    glance.busy = glance.bent = false;
     if (ahead && isDue(islands, i)) islands.noteDue(list, i);
   }
 }

@@ -49,7 +49,6 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
 {
   broad_phase.reserve(balls, workers);
   glances.reserve(balls);
-  takeMemory(busy_at, balls);
   const std::size_t meetings = 2048 + 8 * balls;  // 64 balls may all be near each other
   for (std::vector<std::uint32_t>* list : {&found, &near}) takeMemory(*list, meetings);
   takeMemory(near_boxes, balls);
@@ -64,7 +63,8 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
     takeMemory(its.busy, balls);
     for (std::vector<std::uint32_t>* list : {&its.due, &its.turn}) takeMemory(*list, balls);
     takeMemory(its.added, meetings);
-    takeMemory(its.announced, meetings);
+    its.announced.resize(workers);
+    for (std::vector<BroadPhase::Addition>& announced : its.announced) takeMemory(announced, meetings / workers);
     takeMemory(its.near.entries, 32768);
     takeMemory(its.near.ends, 16);
     takeMemory(its.thrown, balls);

@@ -1,7 +1,6 @@
 // What the methods share: every ball, every body, and the records of the tick.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -190,6 +189,7 @@ struct alignas(128) IslandWork : Records
     std::uint32_t ball;
     std::uint32_t root, next;      ///< union-find over balls, and the circular list of an island's; the least index is the root
     std::uint32_t size;            ///< of the island, if this is its root [balls]
+    float next_event;              ///< Glance::next of the ball after this window [s]
     std::uint32_t saved, piece;    ///< entries in the lists of workers, or IslandRecords::kNoEntry; its last piece
     std::uint32_t run : 30;        ///< of its island, the last one; 0 if the ball has been alone
     std::uint32_t met : 1;         ///< it has hit a ball in that run
@@ -208,7 +208,7 @@ struct alignas(128) IslandWork : Records
   std::size_t squares = 0;            ///< of the sizes of islands: all workers' together are those of all that have to run
   std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see handover.h
   std::vector<std::uint32_t> thrown;  ///< balls that have left their paths
-  std::vector<BroadPhase::Addition> announced;  ///< their boxes, on their way to the grid
+  BroadPhase::Additions announced;  ///< their boxes, on their way to the grid
   NearList near;
 
   // What comes in the outlook. Each of these lists is gone through by one worker, this one or another.
@@ -219,37 +219,11 @@ struct alignas(128) IslandWork : Records
   std::vector<std::uint32_t> added;   ///< balls whose paths have changed since it began, by each change
 };
 
-/// Where the record of a busy ball is. More than one worker may want to make one.
-class BusyEntry
-{
-public:
-  static constexpr std::uint32_t kNone = ~0u;
-
-  BusyEntry() = default;
-  BusyEntry(const BusyEntry& other) : entry_(other) {}
-  BusyEntry& operator=(const BusyEntry& other) { return *this = static_cast<std::uint32_t>(other); }
-  BusyEntry& operator=(std::uint32_t entry)
-  {
-    entry_.store(entry, std::memory_order_relaxed);
-    return *this;
-  }
-  operator std::uint32_t() const { return entry_.load(std::memory_order_relaxed); }
-  /// False if there was one.
-  bool claim(std::uint32_t entry)
-  {
-    std::uint32_t none = kNone;
-    return entry_.compare_exchange_strong(none, entry, std::memory_order_relaxed);
-  }
-
-private:
-  std::atomic<std::uint32_t> entry_{kNone};
-};
-
 /// What the exact method keeps from window to window, see islands.h. Balls to which nothing
 /// happens are not written to; between windows nobody is busy.
 struct IslandRecords
 {
-  static constexpr std::uint32_t kNoEntry = BusyEntry::kNone;
+  static constexpr std::uint32_t kNoEntry = ~0u;
 
   /// An entry in a list of a worker.
   static constexpr std::uint32_t kIndexBits = 26;
@@ -261,31 +235,39 @@ struct IslandRecords
   const IslandWork& workOf(std::uint32_t entry) const { return work[entry >> kIndexBits]; }
   static std::uint32_t indexOf(std::uint32_t entry) { return entry & ((1u << kIndexBits) - 1u); }
   const BallRecord& saved(std::uint32_t entry) const { return workOf(entry).saved[indexOf(entry)]; }
-  bool isBusy(std::size_t i) const { return busy_at[i] != kNoEntry; }
+  bool isBusy(std::size_t i) const { return glances[i].busy; }
   /// Of a ball that is.
-  IslandWork::Busy& busy(std::size_t i) { return workOf(busy_at[i]).busy[indexOf(busy_at[i])]; }
-  const IslandWork::Busy& busy(std::size_t i) const { return workOf(busy_at[i]).busy[indexOf(busy_at[i])]; }
+  IslandWork::Busy& busy(std::size_t i) { return workOf(glances[i].entry).busy[indexOf(glances[i].entry)]; }
+  const IslandWork::Busy& busy(std::size_t i) const { return workOf(glances[i].entry).busy[indexOf(glances[i].entry)]; }
   /// The same, from now on if it was not yet: an island of its own.
   IslandWork::Busy& makeBusy(IslandWork& its_work, std::size_t i)
   {
-    if (isBusy(i)) return busy(i);
-    busy_at[i] = entry(its_work, its_work.busy.size());
-    return addBusy(its_work, i);
+    Glance& glance = glances[i];
+    if (glance.busy) return busy(i);
+    const float next = glance.next;
+    glance.entry = entry(its_work, its_work.busy.size());
+    glance.busy = true;
+    return addBusy(its_work, i, next);
   }
   /// Whether it is in the list of this worker, if need be from now on. By all workers at the same time.
   bool claim(IslandWork& its_work, std::size_t i)
   {
     if (work.size() == 1) return makeBusy(its_work, i).ball == i;  // an exchange takes as long as a dozen other operations
-    const std::uint32_t its = busy_at[i];
-    if (its != kNoEntry) return its >> kIndexBits == its_work.worker;
-    if (!busy_at[i].claim(entry(its_work, its_work.busy.size()))) return false;
-    addBusy(its_work, i);
+    const GlanceHead now = glances.head(i);
+    if (now.busy) return now.entry >> kIndexBits == its_work.worker;
+    GlanceHead claimed = now;
+    claimed.entry = entry(its_work, its_work.busy.size());
+    claimed.busy = true;
+    if (!glances.replace(i, now, claimed)) return false;
+    addBusy(its_work, i, now.next);
     return true;
   }
-  static IslandWork::Busy& addBusy(IslandWork& its_work, std::size_t i)
+  /// Whether ball i, which is busy, is in the list of this worker; while others are claimed.
+  bool isOf(const IslandWork& its_work, std::size_t i) const { return glances.head(i).entry >> kIndexBits == its_work.worker; }
+  static IslandWork::Busy& addBusy(IslandWork& its_work, std::size_t i, float next)
   {
     const auto ball = static_cast<std::uint32_t>(i);
-    its_work.busy.push_back({ball, ball, ball, 1, kNoEntry, kNoEntry, 0, 0, 0, CoarseBox()});
+    its_work.busy.push_back({ball, ball, ball, 1, next, kNoEntry, kNoEntry, 0, 0, 0, CoarseBox()});
     return its_work.busy.back();
   }
   std::size_t islandsToRun() const
@@ -316,7 +298,6 @@ struct IslandRecords
   Glances glances;                         ///< of each ball
   BroadPhase broad_phase;                  ///< of what each ball would sweep if no other were there
   std::vector<IslandWork> work;            ///< of each worker
-  std::vector<BusyEntry> busy_at;          ///< entry in `busy` of a worker, by ball
   std::vector<std::size_t> ends;           ///< of the lists of islands that have to run, one after the other
   std::vector<std::uint32_t> found, near;  ///< balls near a pile; a list for a moment
   std::vector<CoarseBox> near_boxes;       ///< of those near a pile
@@ -333,11 +314,7 @@ struct IslandRecords
     its_work.added.push_back(i);
     broad_phase.announce(i, busy(i).swept, its_work.announced);
   }
-  void addToGrid(Workers& workers)
-  {
-    broad_phase.add(work, &IslandWork::announced, workers);
-    for (IslandWork& its_work : work) its_work.announced.clear();
-  }
+  void addToGrid(Workers& workers) { broad_phase.add(work, &IslandWork::announced, workers); }
   /// Ball i may have an event with a body before the outlook ends.
   void noteDue(IslandWork& its_work, std::uint32_t i)
   {

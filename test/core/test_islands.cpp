@@ -217,7 +217,7 @@ std::set<std::uint32_t> addedNear(const BroadPhase& broad_phase, const CoarseBox
 
 struct ListOfAdditions
 {
-  std::vector<BroadPhase::Addition> additions;
+  BroadPhase::Additions additions;
 };
 
 void add(BroadPhase& broad_phase, const std::vector<CoarseBox>& boxes, Workers& workers)
