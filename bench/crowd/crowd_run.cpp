@@ -125,7 +125,7 @@ private:
     {
       ticks_.push_back(tick());
       spent += ticks_.back();
-      if (ticks_.size() % std::max<std::size_t>(1, longest / kLooks) == 0 || !crowd_.steady) lookForRest(simulated());
+      if (ticks_.size() % std::max<std::size_t>(1, longest / kLooks) == 0 || crowd_.rests) lookForRest(simulated());
       if (exactly_ > 0) continue;
       if (now() - begin_ > effort_.most) break;
       if (crowd_.steady && spent > effort_.steady) break;

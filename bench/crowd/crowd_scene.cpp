@@ -45,7 +45,7 @@ Vector3d insideOf(const Scene& scene)
 const std::vector<CrowdScene>& crowdScenes()
 {
   static const std::vector<CrowdScene> scenes = {
-      {"gas", 0.05, 10.0, true}, {"crowd", 0.0, 1.0, false}, {"tray", 0.0, 4.0, false, 0.25, 100.0, {2.5e-3}}};
+      {"gas", 0.05, 10.0, true}, {"crowd", 0.0, 1.0, false}, {"tray", 0.0, 4.0, false, 0.25, 100.0, {2.5e-3}, true}};
   return scenes;
 }
 

@@ -17,6 +17,7 @@ struct CrowdScene
   double enough = 0.0;      ///< a run of this length counts, too, if there is no time for more; 0: none does [s]
   double fewest = 1.0;      ///< balls
   std::vector<double> steps = {5e-3, 1e-3};  ///< of engines that step [s]
+  bool rests = false;       ///< after every tick it is looked whether all are at rest: what was in the caches of cores is not any more
 };
 
 const std::vector<CrowdScene>& crowdScenes();
