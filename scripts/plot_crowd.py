@@ -158,7 +158,7 @@ def long_runs(about, rows):
             text.append(f"| {scene} | {one['balls']:.0f} | {two['runs']:.0f} | {one['cost_us'] / one['contacts']:.3g} µs | {two['cost_us'] / two['contacts']:.3g} µs | "
                         f"{one['cost_us'] / two['cost_us']:.2f} | {2.0 * one['cost_us'] / beside['cost_us']:.2f} |")
     return f"""What two processors of this machine gain at most, two worlds tell that share nothing and move on at the same time, with a thread each: on cores of their own they do twice as much as one.
-`scripts/crowd --threads` runs `exact` with one thread, with two, and beside another world in turn, until forty runs in a row have lowered the sum by less than half a percent, or eighty times:
+`scripts/crowd --threads` runs `exact` with one thread, with two, and beside another world in turn, until a hundred runs in a row have lowered the sum by less than half a percent, or two hundred times:
 
 {chr(10).join(text)}
 
