@@ -5,6 +5,7 @@ add_executable(${PROJECT_NAME}_crowd EXCLUDE_FROM_ALL
   bench/crowd/main.cpp
   bench/crowd/quiet_time.cpp
   bench/crowd/companion.cpp
+  bench/crowd/core_distance.cpp
   bench/crowd/processors.cpp
   bench/crowd/tray_scene.cpp
   bench/engines.cpp

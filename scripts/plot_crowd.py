@@ -162,9 +162,17 @@ def long_runs(about, rows):
 
 {chr(10).join(text)}
 
-Commit {about.get("commit", "?")}, load of the machine at the start {about.get("load", "?")}.
+{distance(about)}Commit {about.get("commit", "?")}, load of the machine at the start {about.get("load", "?")}.
 
 """
+
+
+def distance(about):
+    ns = about.get("core_to_core_ns", "").split()
+    if not ns:
+        return ""
+    return (f"A line of the cache took {' ns at the start and '.join(ns)} ns at the end from one processor to the other: the nearer they are, the more two threads gain "
+            "(near ones, on one chip: about 50 ns). ")
 
 
 def size(length):

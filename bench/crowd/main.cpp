@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../results_file.h"
+#include "core_distance.h"
 #include "crowd_run.h"
 #include "quiet_time.h"
 
@@ -173,13 +174,14 @@ void measureAll(const Options& options)
   if (file == nullptr) throw std::runtime_error(options.out + ": cannot be written");
   const Provenance from = provenance(options.commit);
   const std::string load = loadNow();
+  const double distance = coreDistance();
   const CrowdEffort effort = options.quick ? CrowdEffort{0.1, 5.0} : CrowdEffort();
   std::vector<Measured> all = firstRound(options, effort);
   for (int round = 1; round < options.rounds && !options.quick; ++round)
     for (Measured& measured : all)
       if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled()) measure(measured, effort);
-  std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(), from.compiler.c_str(),
-               from.commit.c_str(), load.c_str());
+  std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n# core_to_core_ns: %.0f %.0f\n", from.machine.c_str(), from.compiler.c_str(),
+               from.commit.c_str(), load.c_str(), distance, coreDistance());
   std::fprintf(file, "scene,engine,variant,step,threads,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"
                      "overlap_m,escaped,most_cost_us,rest_after_s,runs,hash\n");
   for (const Measured& measured : all) writeRow(file, measured);

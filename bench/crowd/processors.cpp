@@ -12,13 +12,25 @@ namespace ping_pong::bench
 {
 namespace
 {
-std::vector<int> allowedProcessors()
+cpu_set_t allowedNow()
 {
   cpu_set_t set;
   if (sched_getaffinity(0, sizeof set, &set) != 0) throw std::runtime_error("sched_getaffinity: no answer");
+  return set;
+}
+
+// Before threads have been given one each.
+const cpu_set_t& allowed()
+{
+  static const cpu_set_t set = allowedNow();
+  return set;
+}
+
+std::vector<int> allowedProcessors()
+{
   std::vector<int> all;
   for (int processor = 0; processor < CPU_SETSIZE; ++processor)
-    if (CPU_ISSET(processor, &set)) all.push_back(processor);
+    if (CPU_ISSET(processor, &allowed())) all.push_back(processor);
   return all;
 }
 
@@ -29,18 +41,33 @@ std::vector<pid_t> threads()
   std::sort(all.begin(), all.end());
   return all;
 }
+
+void let(pid_t thread, const cpu_set_t& set)
+{
+  if (sched_setaffinity(thread, sizeof set, &set) != 0) throw std::runtime_error("sched_setaffinity: refused");
+}
 }  // namespace
+
+std::size_t processors()
+{
+  return allowedProcessors().size();
+}
 
 void giveProcessors()
 {
-  const std::vector<int> processors = allowedProcessors();
+  const std::vector<int> its = allowedProcessors();
   const std::vector<pid_t> all = threads();
   for (std::size_t k = 0; k < all.size(); ++k)
   {
     cpu_set_t one;
     CPU_ZERO(&one);
-    CPU_SET(processors[k % processors.size()], &one);
-    if (sched_setaffinity(all[k], sizeof one, &one) != 0) throw std::runtime_error("sched_setaffinity: refused");
+    CPU_SET(its[k % its.size()], &one);
+    let(all[k], one);
   }
+}
+
+void takeProcessorsBack()
+{
+  for (const pid_t thread : threads()) let(thread, allowed());
 }
 }  // namespace ping_pong::bench
