@@ -169,7 +169,7 @@ def long_runs(about, rows):
 
 def distance(about):
     ns = about.get("core_to_core_ns", "").split()
-    if not ns:
+    if not ns or "0" in ns:  # not measured, or there is only one processor
         return ""
     return (f"A line of the cache took {' ns at the start and '.join(ns)} ns at the end from one processor to the other: the nearer they are, the more two threads gain "
             "(near ones, on one chip: about 50 ns). ")

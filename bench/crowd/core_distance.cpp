@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <thread>
 
 #include "processors.h"
@@ -11,43 +12,56 @@ namespace ping_pong::bench
 {
 namespace
 {
-constexpr int kTimes = 200;   // there and back, in one measurement
+constexpr int kTimes = 200;  // there and back, in one measurement
 constexpr int kRepeats = 100;
 
-double once(std::atomic<int>& ball)
+/// A thread that plays a line of the cache back, until this ends.
+class Partner
 {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  for (int k = 0; k < kTimes; ++k)
+public:
+  Partner() : thread_([this] { live(); }) {}
+  ~Partner()
   {
-    ball = 1;
-    while (ball != 0)
-    {
-    }
+    stopping_ = true;
+    thread_.join();
   }
-  return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / (2 * kTimes);
-}
+  /// How long the line is on its way [ns].
+  double once()
+  {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    for (int k = 0; k < kTimes; ++k)
+    {
+      ball_ = 1;
+      while (ball_ != 0)
+      {
+      }
+    }
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / (2 * kTimes);
+  }
+
+private:
+  void live()
+  {
+    while (!stopping_)
+      if (ball_ == 1) ball_ = 0;
+  }
+
+  alignas(128) std::atomic<int> ball_{0};
+  alignas(128) std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
 }  // namespace
 
 double coreDistance()
 {
   if (processors() < 2) return 0.0;
-  struct alignas(128) Line
+  double least = std::numeric_limits<double>::infinity();
   {
-    std::atomic<int> ball{0};
-  } line;
-  std::atomic<bool> stopping{false};
-  std::thread other(
-      [&]
-      {
-        while (!stopping)
-          if (line.ball == 1) line.ball = 0;
-      });
-  giveProcessors();
-  double least = once(line.ball);
-  for (int repeat = 1; repeat < kRepeats; ++repeat) least = std::min(least, once(line.ball));
-  stopping = true;
-  other.join();
+    Partner partner;
+    giveProcessors();
+    for (int repeat = 0; repeat < kRepeats; ++repeat) least = std::min(least, partner.once());
+  }
   takeProcessorsBack();
   return least;
 }

@@ -12,9 +12,9 @@
 #include <string>
 
 #include "companion.h"
-#include "processors.h"
 #include "ping_pong_sim/state_hash.h"
 #include "ping_pong_sim/world.h"
+#include "processors.h"
 
 namespace ping_pong::bench
 {
