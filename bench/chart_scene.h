@@ -46,7 +46,8 @@ struct Start
 enum class Measure
 {
   Position,  ///< [m]
-  Energy     ///< relative: a chaotic scene has no position to compare
+  Energy,    ///< relative: a chaotic scene has no position to compare
+  Overlap    ///< of all that touch [m]: neither has a chaotic scene that loses energy an energy to compare
 };
 
 struct ChartScene
@@ -62,6 +63,8 @@ struct ChartScene
   std::string reference;  ///< what the truth comes from, for people
   /// A ball ended where it cannot have come without going through something; may be empty.
   std::function<bool(const BallState& end)> lost;
+  /// Every ball has to end where this holds; may be empty.
+  std::function<bool(const BallState& end)> settled;
   /// The n-th start; the same n, the same bits.
   /// @param refinement  1, or 2 for a reference of half the step, to see how good it is
   std::function<Start(int n, int refinement)> start;
@@ -74,6 +77,7 @@ ChartScene vacuumFlight();
 ChartScene airFlight();
 ChartScene bouncing();
 ChartScene elastic666();
+ChartScene inelastic666();
 ChartScene dropToRest();
 ChartScene spinBounce();
 ChartScene spinBounceVacuum();

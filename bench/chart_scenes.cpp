@@ -37,7 +37,7 @@ std::vector<double> decades(double from, double to)
 
 std::vector<ChartScene> chartScenes()
 {
-  return {vacuumFlight(), airFlight(),        bouncing(),  elastic666(), dropToRest(),
+  return {vacuumFlight(), airFlight(),        bouncing(),  elastic666(), inelastic666(), dropToRest(),
           spinBounce(),   spinBounceVacuum(), ballInBox(), paddleHit(),  rally()};
 }
 }  // namespace ping_pong::bench

@@ -40,7 +40,7 @@ private:
 
 struct Sums
 {
-  Mean position, spin, energy, wrong_bounces;
+  Mean position, spin, energy, overlap, wrong_bounces;
 };
 
 bool finite(const std::vector<BallState>& balls)
@@ -121,10 +121,16 @@ private:
       balls_ = statesOf(*engine_, balls_.size());
       if (!finite(balls_)) return false;
       const double time = static_cast<double>(sample) * chart_.sample_period + static_cast<double>(k) * period;
-      errors_.penetration = std::max(errors_.penetration, worstOverlap(start_, balls_, time));
+      noteOverlap(overlapOf(start_, balls_, time));
       for (std::size_t i = 0; i < balls_.size(); ++i) countBounce(i);
     }
     return true;
+  }
+
+  void noteOverlap(const Overlap& overlap)
+  {
+    errors_.penetration = std::max(errors_.penetration, overlap.deepest);
+    sums_.overlap.add(overlap.sum_of_squares);
   }
 
   // On level ground a ball that sank and now rises has bounced.
@@ -165,6 +171,7 @@ private:
       if (counted && start_.truth[i].bounces >= 0) sums_.wrong_bounces.add(bounces_[i] != start_.truth[i].bounces);
     const bool inside = worstDepthInBody(start_, balls_, chart_.duration) > 1.0;
     errors_.tunnelled += inside || (chart_.lost && chart_.lost(balls_[0]));
+    errors_.unsettled += chart_.settled && !std::all_of(balls_.begin(), balls_.end(), chart_.settled);
     if (!start_.drives.empty()) errors_.missed += missed();
   }
 
@@ -202,6 +209,7 @@ std::optional<Errors> measureErrors(const ChartScene& chart, const std::vector<S
   errors.position_rms = sums.position.root();
   errors.spin_rms = sums.spin.root();
   errors.energy_rms = sums.energy.root();
+  errors.overlap_rms = sums.overlap.root();
   const Mean& wrong = sums.wrong_bounces;
   errors.wrong_bounces = wrong.count > 0 ? wrong.sum / static_cast<double>(wrong.count) : 0.0;
   return errors;

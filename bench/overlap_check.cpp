@@ -50,19 +50,25 @@ std::vector<BallState> statesOf(const Engine& engine, std::size_t balls)
   return states;
 }
 
-double worstOverlap(const Start& start, const std::vector<BallState>& balls, double time)
+Overlap overlapOf(const Start& start, const std::vector<BallState>& balls, double time)
 {
-  double worst = 0.0;
-  forEachGap(start, balls, time, [&](double gap, double) { worst = std::max(worst, -gap); });
+  Overlap overlap;
+  const auto note = [&](double depth)
+  {
+    if (depth <= 0.0) return;
+    overlap.deepest = std::max(overlap.deepest, depth);
+    overlap.sum_of_squares += depth * depth;
+  };
+  forEachGap(start, balls, time, [&](double gap, double) { note(-gap); });
   for (std::size_t i = 0; i < balls.size(); ++i)
     for (std::size_t k = i + 1; k < balls.size(); ++k)
     {
       const double reach = start.scene.balls[i].params.radius + start.scene.balls[k].params.radius;
       const Vector3d d = balls[i].p_WB - balls[k].p_WB;
       const double square = d.squaredNorm();
-      if (square < reach * reach) worst = std::max(worst, reach - std::sqrt(square));
+      if (square < reach * reach) note(reach - std::sqrt(square));
     }
-  return worst;
+  return overlap;
 }
 
 double worstDepthInBody(const Start& start, const std::vector<BallState>& balls, double time)

@@ -21,12 +21,14 @@ struct Errors
   double energy_rms = 0.0, energy_growth = 0.0;   ///< relative to the energy that the scene has
   double momentum = 0.0;                          ///< sideways, largest, relative to what that energy could give
   double penetration = 0.0;                       ///< deepest overlap seen [m]
+  double overlap_rms = 0.0;                       ///< of all overlaps at once: root of the mean sum of squares [m]
   double wrong_bounces = 0.0;                     ///< part of the paths; not counted at steps above 20 ms
   int missed = 0, tunnelled = 0, not_finite = 0;  ///< starts
+  int unsettled = 0;                              ///< starts that leave balls where they cannot stay
   double seconds = 0.0;                           ///< that the run took
 
   bool gainsEnergy() const { return energy_growth > 0.01; }
-  bool failed() const { return missed > 0 || tunnelled > 0 || not_finite > 0 || gainsEnergy(); }
+  bool failed() const { return missed > 0 || tunnelled > 0 || not_finite > 0 || unsettled > 0 || gainsEnergy(); }
 };
 
 /// How much to measure.

@@ -17,6 +17,20 @@ std::string processor()
   return "unknown";
 }
 
+const char* nameOf(Measure measure)
+{
+  switch (measure)
+  {
+    case Measure::Position:
+      return "position";
+    case Measure::Energy:
+      return "energy";
+    case Measure::Overlap:
+      return "overlap";
+  }
+  return "";
+}
+
 std::string failuresOf(const Errors& errors)
 {
   std::string text;
@@ -27,6 +41,7 @@ std::string failuresOf(const Errors& errors)
   add(errors.not_finite > 0, "not_finite");
   add(errors.tunnelled > 0, "tunnelled");
   add(errors.missed > 0, "missed");
+  add(errors.unsettled > 0, "unsettled");
   add(errors.gainsEnergy(), "energy");
   return text;
 }
@@ -45,8 +60,8 @@ void writeRow(std::ostream& out, const Row& row)
   out << row.point.engine->name << ',' << row.point.variant << ',' << row.point.step << ',' << e.starts << ','
       << row.cost.least << ',' << row.cost.median << ',' << e.position_rms << ',' << e.position_max << ',' << e.spin_rms
       << ',' << e.energy_rms << ',' << e.energy_growth << ',' << e.momentum << ',' << e.penetration << ','
-      << e.wrong_bounces << ',' << e.missed << ',' << e.tunnelled << ',' << e.not_finite << ',' << failuresOf(e) << ','
-      << quoted(row.refusal) << '\n';
+      << e.overlap_rms << ',' << e.wrong_bounces << ',' << e.missed << ',' << e.tunnelled << ',' << e.not_finite << ','
+      << failuresOf(e) << ',' << quoted(row.refusal) << '\n';
 }
 }  // namespace
 
@@ -66,11 +81,11 @@ void writeResults(const std::string& directory, const ChartScene& chart, double 
   std::ostringstream out;
   out.precision(6);
   out << "# title: " << chart.title << "\n# reference: " << chart.reference
-      << "\n# reference_error_m: " << reference_error
-      << "\n# measure: " << (chart.measure == Measure::Position ? "position" : "energy")
+      << "\n# reference_error_m: " << reference_error << "\n# measure: " << nameOf(chart.measure)
       << "\n# machine: " << from.machine << "\n# compiler: " << from.compiler << "\n# commit: " << from.commit << '\n'
       << "engine,variant,step,starts,cost_s,cost_median_s,position_rms_m,position_max_m,spin_rms_rad_s,energy_rms,"
-         "energy_growth,momentum,penetration_m,wrong_bounces,missed,tunnelled,not_finite,failures,refusal\n";
+         "energy_growth,momentum,penetration_m,overlap_rms_m,wrong_bounces,missed,tunnelled,not_finite,failures,"
+         "refusal\n";
   for (const Row& row : rows) writeRow(out, row);
   std::ofstream file(directory + "/" + chart.name + ".csv");
   file << out.str();

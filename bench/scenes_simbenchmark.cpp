@@ -1,4 +1,6 @@
 // SimBenchmark's "bouncing" and "elastic 666" (leggedrobotics/SimBenchmark) with its parameters.
+#include <cmath>
+
 #include "closed_forms.h"
 #include "draw.h"
 #include "sampled.h"
@@ -51,11 +53,11 @@ Start startBouncing(const ChartScene& chart, int n, int)
   return start;
 }
 
-// 6 x 6 x 6 balls fall on the floor and scatter; chaos leaves nothing to compare with.
-Start startElastic666(const ChartScene& chart, int n, int)
+// 6 x 6 x 6 balls, the lowest at this height, fall on the floor and on each other.
+Start start666(const ChartScene& chart, int n, double restitution, double height)
 {
   Start start;
-  start.scene = emptyScene(chart.name, contactLaw(1.0, 0.0));
+  start.scene = emptyScene(chart.name, contactLaw(restitution, 0.0));
   addFloor(start.scene);
   Random random(42, static_cast<std::uint64_t>(n));
   for (int i = 0; i < 6; ++i)
@@ -64,10 +66,23 @@ Start startElastic666(const ChartScene& chart, int n, int)
       {
         BallState state;
         state.p_WB = 0.21 * Vector3d(i, j, k) + random.uniform(Vector3d::Zero(), Vector3d::Constant(1e-3));
-        state.p_WB.z() += 1.101;
+        state.p_WB.z() += height;
         addBall(start.scene, heavyBall(), state);
       }
   return start;
+}
+
+// They scatter; chaos leaves nothing to compare with.
+Start startElastic666(const ChartScene& chart, int n, int)
+{
+  return start666(chart, n, 1.0, 1.101);
+}
+
+// Columns of six balls stand on the floor, out of line by up to a millimetre: they collapse, and all balls end up on
+// the floor.
+Start startInelastic666(const ChartScene& chart, int n, int)
+{
+  return start666(chart, n, 0.0, 0.101);
 }
 }  // namespace
 
@@ -98,5 +113,22 @@ ChartScene elastic666()
   chart.starts = 2;
   chart.reference = "energy is conserved";
   return withStarts(chart, startElastic666);
+}
+
+ChartScene inelastic666()
+{
+  ChartScene chart;
+  chart.name = "inelastic_666";
+  chart.title = "SimBenchmark 666: 216 balls that do not bounce, 10 s";
+  chart.measure = Measure::Overlap;
+  chart.duration = 10.0;
+  chart.sample_period = 0.1;
+  chart.steps = oneTwoFive(2e-2, 1e-4);
+  chart.tolerances = {1e-6};
+  chart.starts = 2;
+  chart.reference = "nothing is inside another, and all balls come to lie on the floor";
+  chart.settled = [](const BallState& end)
+  { return std::abs(end.p_WB.z() - heavyBall().radius) < 0.5 * heavyBall().radius; };
+  return withStarts(chart, startInelastic666);
 }
 }  // namespace ping_pong::bench

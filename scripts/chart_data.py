@@ -4,8 +4,9 @@ import math
 import os
 
 OURS = "ping_pong_sim"
-SCENES = ["flight_vacuum", "flight_air", "bouncing", "elastic_666", "drop_to_rest", "spin_bounce", "spin_bounce_vacuum",
-          "ball_in_box", "paddle_hit", "rally"]
+SCENES = ["flight_vacuum", "flight_air", "bouncing", "elastic_666", "inelastic_666", "drop_to_rest", "spin_bounce",
+          "spin_bounce_vacuum", "ball_in_box", "paddle_hit", "rally"]
+ERRORS = {"position": "position_rms_m", "energy": "energy_rms", "overlap": "overlap_rms_m"}  # columns
 LEAST = 1e-17  # an error of zero is drawn here
 ROUNDING = 3.6e-15  # unit in the last place of a double at 20 m [m]
 
@@ -14,7 +15,7 @@ class Point:
     def __init__(self, row, measure):
         self.engine, self.variant = row["engine"], row["variant"]
         self.step, self.cost = float(row["step"]), float(row["cost_s"])
-        self.error = float(row["energy_rms" if measure == "energy" else "position_rms_m"])
+        self.error = float(row[ERRORS[measure]])
         self.wrong_bounces = float(row["wrong_bounces"])
         self.penetration = float(row["penetration_m"])
         self.starts = int(row["starts"])

@@ -5,7 +5,8 @@ import re
 from chart_data import OURS, cost_at
 
 PEER_NAMES = {"bullet": "Bullet", "ode": "ODE", "dart": "DART", "mujoco": "MuJoCo", "simbody": "Simbody"}
-FAILURES = {"not_finite": "not a number", "tunnelled": "tunnels", "missed": "misses hits", "energy": "gains energy"}
+FAILURES = {"not_finite": "not a number", "tunnelled": "tunnels", "missed": "misses hits", "energy": "gains energy",
+            "unsettled": "leaves balls on others"}
 
 
 def short(value, unit):

@@ -26,6 +26,7 @@ OUR_STYLES = {"exact": (BLUE, "o"), "auto": (BLUE, "*"), "euler_explicit": (RED,
 PEER_STYLES = {"bullet": (ORANGE, "s"), "ode": (GREEN, "D"), "dart": (PURPLE, "^"), "mujoco": (RED, "v"), "simbody": (SKY, "o")}
 PEER_NAMES = {"bullet": "Bullet", "ode": "ODE", "dart": "DART", "mujoco": "MuJoCo", "simbody": "Simbody"}
 OVERVIEW = ["bouncing", "spin_bounce"]
+ERROR_NAMES = {"position": "position error, rms", "energy": "relative energy error, rms", "overlap": "overlaps, root of the mean sum of squares"}
 HEADROOM = 10.0 ** 1.6  # of failures, above the largest error
 
 plt.rcParams.update({
@@ -146,7 +147,7 @@ def draw_scene(axis, scene):
     draw_failures(axis, scene, top)
     axis.set_title(scene.title, loc="left", fontsize=12, color=INK)
     axis.set_xlabel("cost of a ball and simulated second")
-    axis.set_ylabel("relative energy error, rms" if scene.measure == "energy" else "position error, rms")
+    axis.set_ylabel(ERROR_NAMES[scene.measure])
 
 
 def legend_entries(scenes):

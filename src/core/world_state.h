@@ -252,7 +252,11 @@ struct IslandRecords
   /// Whether it is in the list of this worker, if need be from now on. By all workers at the same time.
   bool claim(IslandWork& its_work, std::size_t i)
   {
-    if (work.size() == 1) return makeBusy(its_work, i).ball == i;  // an exchange takes as long as a dozen other operations
+    if (work.size() == 1)  // an exchange takes as long as a dozen other operations
+    {
+      makeBusy(its_work, i);
+      return true;
+    }
     const GlanceHead now = glances.head(i);
     if (now.busy) return now.entry >> kIndexBits == its_work.worker;
     GlanceHead claimed = now;
