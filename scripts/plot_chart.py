@@ -22,7 +22,7 @@ INK = "#7a7a7a"  # readable on white and on black
 BLUE, ORANGE, GREEN, RED, SKY, PURPLE = "#0a7cc4", "#e69f00", "#009e73", "#d55e00", "#56b4e9", "#cc79a7"
 # Ours: full markers and lines. Others: open markers, thin lines, broken for default settings.
 OUR_STYLES = {"exact": (BLUE, "o"), "auto": (BLUE, "*"), "euler_explicit": (RED, "v"), "euler_semi_implicit": (ORANGE, "^"),
-              "verlet": (PURPLE, "p"), "rk4": (SKY, "s"), "rk4_located": (GREEN, "D")}
+              "verlet": (PURPLE, "p"), "rk4": (SKY, "s"), "rk4_located": (GREEN, "D"), "impulse": (INK, "P")}
 PEER_STYLES = {"bullet": (ORANGE, "s"), "ode": (GREEN, "D"), "dart": (PURPLE, "^"), "mujoco": (RED, "v"), "simbody": (SKY, "o")}
 PEER_NAMES = {"bullet": "Bullet", "ode": "ODE", "dart": "DART", "mujoco": "MuJoCo", "simbody": "Simbody"}
 OVERVIEW = ["bouncing", "spin_bounce"]
