@@ -1,5 +1,6 @@
 #include "broad_phase.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -164,16 +165,25 @@ void BroadPhase::noteBlock(std::size_t block)
   }
 }
 
+// Half of its boxes in cells come before.
+std::uint32_t BroadPhase::middleOf(std::size_t block) const
+{
+  std::array<std::uint32_t, kBlock> ranges;
+  const auto inCell = [this](std::uint32_t range) { return range < slices_; };
+  const auto last = std::copy_if(range_.begin() + static_cast<std::ptrdiff_t>(block * kBlock),
+                                 range_.begin() + static_cast<std::ptrdiff_t>(endOf(block)), ranges.begin(), inCell);
+  const auto middle = ranges.begin() + (last - ranges.begin()) / 2;
+  std::nth_element(ranges.begin(), middle, last);
+  return middle == last ? 0 : *middle;
+}
+
 // So that each has about as many boxes: they are nearly sorted, as long as balls have not gone far.
 void BroadPhase::cutIntoParts(std::size_t count)
 {
   if (links_.size() < count) links_.resize(count);
   first_.assign(count + 1, 0);
   for (std::size_t part = 1; part < count; ++part)
-  {
-    const Block& block = blocks_[part * blocks_.size() / count];
-    first_[part] = std::min(std::max(first_[part - 1], block.least + (block.greatest - block.least) / 2), static_cast<std::uint32_t>(slices_));
-  }
+    first_[part] = std::min(std::max(first_[part - 1], middleOf(part * blocks_.size() / count)), static_cast<std::uint32_t>(slices_));
   first_[count] = static_cast<std::uint32_t>(slices_ + 2);
 }
 

@@ -210,6 +210,7 @@ private:
   }
   void addToLists(std::size_t part, const Extent& extent, std::uint32_t index);
   void noteBlock(std::size_t block);
+  std::uint32_t middleOf(std::size_t block) const;
   std::size_t endOf(std::size_t block) const { return std::min((block + 1) * kBlock, count_); }
   std::size_t parts() const { return first_.size() - 1; }
   void cutIntoParts(std::size_t count);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "box.h"
+#include "fetch.h"
 #include "parabola.h"
 
 namespace ping_pong
@@ -92,8 +93,9 @@ public:
     return __atomic_compare_exchange_n(const_cast<Word*>(wordOf(i)), &expected, wanted, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
   }
 
-  /// It will be looked at soon: until then it comes through memory.
-  void fetch(std::size_t i) const { __builtin_prefetch(&list_[i]); }
+  /// It will be looked at soon, or changed: until then it comes through memory.
+  void fetch(std::size_t i) const { fetchToRead(&list_[i]); }
+  void fetchToChange(std::size_t i) const { fetchToWrite(&list_[i]); }
   const Glance& operator[](std::size_t i) const { return list_[i]; }
   Glance& operator[](std::size_t i) { return list_[i]; }
   const GlanceKind& kindOf(const Glance& glance) const { return kinds_[glance.kind]; }

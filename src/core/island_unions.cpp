@@ -7,7 +7,8 @@ namespace ping_pong
 namespace
 {
 using Busy = IslandWork::Busy;
-constexpr std::size_t kFew = 4;  // pairs are not worth sharing
+constexpr std::size_t kFew = 4;    // pairs are not worth sharing
+constexpr std::size_t kAhead = 8;  // pairs are asked for before they are claimed
 
 std::uint32_t rootOf(IslandRecords& islands, std::uint32_t i)
 {
@@ -64,8 +65,17 @@ void uniteOwn(IslandRecords& islands, IslandWork& work)
   work.roots.clear();
   work.apart.clear();
   work.squares = 0;
-  for (const auto& [i, k] : work.met)
+  const auto claimSoon = [&](std::size_t p)
   {
+    if (p >= work.met.size()) return;
+    islands.glances.fetchToChange(work.met[p][0]);
+    islands.glances.fetchToChange(work.met[p][1]);
+  };
+  for (std::size_t p = 0; p < kAhead; ++p) claimSoon(p);
+  for (std::size_t p = 0; p < work.met.size(); ++p)
+  {
+    claimSoon(p + kAhead);
+    const auto& [i, k] = work.met[p];
     const bool own_i = islands.claim(work, i), own_k = islands.claim(work, k);
     const std::uint32_t a = own_i && own_k ? rootAmongOwn(islands, work, i) : IslandRecords::kNoEntry;
     const std::uint32_t b = a != IslandRecords::kNoEntry ? rootAmongOwn(islands, work, k) : IslandRecords::kNoEntry;

@@ -116,8 +116,8 @@ void takeMeetings(IslandWork& list, const Glances& glances, double end)
       continue;
     }
     list.due_meetings.push_back(meeting);
-    glances.fetch(meeting.first);
-    glances.fetch(meeting.second);
+    glances.fetchToChange(meeting.first);
+    glances.fetchToChange(meeting.second);
   }
   list.meetings.resize(kept);
 }

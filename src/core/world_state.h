@@ -364,11 +364,11 @@ struct WorldState : Records
   Pile pile;
   Workers workers;                        ///< as many as the scene names threads, once there are balls to share
 
-  /// Its record will be asked for soon: until then it comes through memory.
+  /// Its record will be changed soon: until then it comes through memory.
   void fetch(std::size_t i) const
   {
     const char* record = reinterpret_cast<const char*>(&balls[i]);
-    for (std::size_t byte = 0; byte < sizeof(BallRecord); byte += 64) __builtin_prefetch(record + byte);
+    for (std::size_t byte = 0; byte < sizeof(BallRecord); byte += 64) fetchToWrite(record + byte);
   }
   const Surface& surface(const BallRecord& ball, const Shape& shape) const
   {
