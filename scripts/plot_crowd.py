@@ -26,9 +26,10 @@ def read(path):
     about = dict(line[2:].strip().split(": ", 1) for line in lines if line.startswith("#"))
     rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     for row in rows:
-        row.setdefault("threads", "1")  # older files have no such column
+        row.setdefault("threads", "1")  # older files have no such column,
+        row["cores"] = row.get("cores") or ""  # or rows
         for key, value in row.items():
-            if key not in ("scene", "engine", "variant", "hash"):
+            if key not in ("scene", "engine", "variant", "hash", "cores"):
                 row[key] = float(value)
     return about, rows
 
@@ -149,30 +150,25 @@ def threads_table(rows):
 
 
 def long_runs(about, rows):
-    """One thread, two, and one beside another world, of many runs."""
-    text = ["| scene | balls | runs | an impact, one thread | two threads | one / two | two worlds at once gain |", "| --- | --- | --- | --- | --- | --- | --- |"]
+    """One thread, two, and one beside another world, of many runs; with near and with far processors."""
+    text = ["| scene | balls | processors | runs | an impact, one thread | two threads | one / two | two worlds at once gain |", "| --- | --- | --- | --- | --- | --- | --- | --- |"]
     for scene in SCENES:
-        exact = (OURS, "exact", 0.0)
-        ones, twos = (lines_of(rows, scene, n).get(exact, []) for n in (1.0, 2.0))
-        for one, two, beside in zip(ones, twos, lines_of(rows, scene).get((OURS, "exact_with_companion", 0.0), [])):
-            text.append(f"| {scene} | {one['balls']:.0f} | {two['runs']:.0f} | {one['cost_us'] / one['contacts']:.3g} µs | {two['cost_us'] / two['contacts']:.3g} µs | "
-                        f"{one['cost_us'] / two['cost_us']:.2f} | {2.0 * one['cost_us'] / beside['cost_us']:.2f} |")
+        for cores, where in (("near", "on one chip"), ("far", "on two")):
+            mine = [row for row in rows if row["cores"] == cores]
+            exact = (OURS, "exact", 0.0)
+            ones, twos = (lines_of(mine, scene, n).get(exact, []) for n in (1.0, 2.0))
+            for one, two, beside in zip(ones, twos, lines_of(mine, scene).get((OURS, "exact_with_companion", 0.0), [])):
+                text.append(f"| {scene} | {one['balls']:.0f} | {where} | {two['runs']:.0f} | {one['cost_us'] / one['contacts']:.3g} µs | {two['cost_us'] / two['contacts']:.3g} µs | "
+                            f"{one['cost_us'] / two['cost_us']:.2f} | {2.0 * one['cost_us'] / beside['cost_us']:.2f} |")
     return f"""What two processors of this machine gain at most, two worlds tell that share nothing and move on at the same time, with a thread each: on cores of their own they do twice as much as one.
-`scripts/crowd --threads` runs `exact` with one thread, with two, and beside another world in turn, until a hundred runs in a row have lowered the sum by less than half a percent, or two hundred times:
+The system lets our two run on one chip, where a line of the cache takes some 50 ns from one to the other, or on two, where it takes 200 to 250 ns, and moves them at times. `scripts/crowd --threads` runs `exact`
+with one thread, with two, and beside another world in turn, two hundred times, and looks at that way before and after each run; a run counts for where it began and ended:
 
 {chr(10).join(text)}
 
-{distance(about)}Commit {about.get("commit", "?")}, load of the machine at the start {about.get("load", "?")}.
+Commit {about.get("commit", "?")}, load of the machine at the start {about.get("load", "?")}.
 
 """
-
-
-def distance(about):
-    ns = about.get("core_to_core_ns", "").split()
-    if not ns or "0" in ns:  # not measured, or there is only one processor
-        return ""
-    return (f"A line of the cache took {' ns at the start and '.join(ns)} ns at the end from one processor to the other: the nearer they are, the more two threads gain "
-            "(near ones, on one chip: about 50 ns). ")
 
 
 def size(length):

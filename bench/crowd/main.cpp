@@ -19,6 +19,7 @@ namespace
 {
 constexpr std::size_t kWorthSharing = 1000;  // balls among threads
 constexpr std::size_t kSecond = 100;         // ticks
+constexpr double kNear = 120.0;              // between processors of one chip a line of the cache takes less [ns]
 const std::string kOurs = "ping_pong_sim";
 
 struct Options
@@ -29,7 +30,7 @@ struct Options
   double balls = 0.0;  // only this number; 0: a row of them
   int rounds = 8;
   bool quick = false;
-  bool companion = false;  // `exact` beside another world, too
+  bool companion = false;  // `exact` beside another world, too; runs with near and with far processors apart
 };
 
 Options parse(int argc, char** argv)
@@ -90,6 +91,14 @@ std::string loadNow()
   return load;
 }
 
+/// How far from each other the processors were in the runs that count.
+enum class Cores
+{
+  Any,
+  Near,  ///< on one chip
+  Far
+};
+
 /// A point with so many balls, and what its runs tell, which differ in nothing but time.
 struct Measured
 {
@@ -98,20 +107,26 @@ struct Measured
   std::size_t balls;
   CrowdResult result{};
   QuietTime time{};
+  Cores cores = Cores::Any;
 
   /// Of a ball and simulated second; 0 if it was not done [us].
   double cost() const { return result.done ? 1e6 * time.total() / (result.simulated * static_cast<double>(balls)) : 0.0; }
 };
+
+const char* nameOf(Cores cores)
+{
+  return cores == Cores::Near ? "near" : cores == Cores::Far ? "far" : "";
+}
 
 void writeRow(std::FILE* file, const Measured& measured)
 {
   const CrowdResult& r = measured.result;
   const CrowdPoint& point = measured.point;
   const double n = static_cast<double>(measured.balls);
-  std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%zu,%016llx\n", measured.scene->name.c_str(),
+  std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%zu,%016llx,%s\n", measured.scene->name.c_str(),
                point.engine->name.c_str(), (point.variant + (point.companion ? "_with_companion" : "")).c_str(), point.variant == "exact" ? 0.0 : point.step, point.threads, measured.balls, r.done,
                r.start, r.simulated, measured.cost(), r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap,
-               r.escaped, 1e6 * measured.time.mostOf(kSecond) / n, r.rest_after, measured.time.runs(), static_cast<unsigned long long>(r.hash));
+               r.escaped, 1e6 * measured.time.mostOf(kSecond) / n, r.rest_after, measured.time.runs(), static_cast<unsigned long long>(r.hash), nameOf(measured.cores));
 }
 
 void tell(const Measured& measured)
@@ -123,7 +138,7 @@ void tell(const Measured& measured)
 }
 
 /// Once more: as many ticks as the first time.
-void measure(Measured& measured, const CrowdEffort& effort)
+CrowdRun measure(Measured& measured, const CrowdEffort& effort)
 {
   const CrowdRun run = measureCrowd(measured.point, *measured.scene, measured.balls, effort, measured.time.ticks());
   const bool first = measured.time.runs() == 0;
@@ -134,6 +149,7 @@ void measure(Measured& measured, const CrowdEffort& effort)
     measured.time.add(run.ticks);
   }
   if (first || run.result.done) tell(measured);
+  return run;
 }
 
 bool isOneOf(const std::vector<std::string>& names, const std::string& name)
@@ -167,6 +183,30 @@ std::vector<Measured> firstRound(const Options& options, const CrowdEffort& effo
   return all;
 }
 
+Cores coresNow()
+{
+  return coreDistance() < kNear ? Cores::Near : Cores::Far;
+}
+
+/// Of each point apart what it costs with near and with far processors: this system moves them from chip to chip at times. A
+/// run counts if they were as far from each other after it as before.
+std::vector<Measured> measureApart(std::vector<Measured>& all, const Options& options, const CrowdEffort& effort)
+{
+  std::vector<Measured> apart;
+  for (const Measured& measured : all)
+    for (const Cores cores : {Cores::Near, Cores::Far}) apart.push_back({measured.scene, measured.point, measured.balls, measured.result, QuietTime(), cores});
+  for (int round = 1; round < options.rounds; ++round)
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      const Cores before = coresNow();
+      const CrowdRun run = measure(all[k], effort);
+      if (!run.result.done || coresNow() != before) continue;
+      apart[2 * k + (before == Cores::Far)].time.add(run.ticks);
+    }
+  apart.erase(std::remove_if(apart.begin(), apart.end(), [](const Measured& measured) { return measured.time.runs() == 0; }), apart.end());
+  return apart;
+}
+
 /// Round after round, so that whoever else uses the machine for a while does not do so at the cost of one point.
 void measureAll(const Options& options)
 {
@@ -177,13 +217,14 @@ void measureAll(const Options& options)
   const double distance = coreDistance();
   const CrowdEffort effort = options.quick ? CrowdEffort{0.1, 5.0} : CrowdEffort();
   std::vector<Measured> all = firstRound(options, effort);
-  for (int round = 1; round < options.rounds && !options.quick; ++round)
+  if (options.companion) all = measureApart(all, options, effort);
+  for (int round = 1; round < options.rounds && !options.quick && !options.companion; ++round)
     for (Measured& measured : all)
       if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled()) measure(measured, effort);
   std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n# core_to_core_ns: %.0f %.0f\n", from.machine.c_str(), from.compiler.c_str(),
                from.commit.c_str(), load.c_str(), distance, coreDistance());
   std::fprintf(file, "scene,engine,variant,step,threads,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"
-                     "overlap_m,escaped,most_cost_us,rest_after_s,runs,hash\n");
+                     "overlap_m,escaped,most_cost_us,rest_after_s,runs,hash,cores\n");
   for (const Measured& measured : all) writeRow(file, measured);
   std::fclose(file);
 }
