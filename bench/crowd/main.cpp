@@ -195,13 +195,14 @@ std::vector<Measured> measureApart(std::vector<Measured>& all, const Options& op
   std::vector<Measured> apart;
   for (const Measured& measured : all)
     for (const Cores cores : {Cores::Near, Cores::Far}) apart.push_back({measured.scene, measured.point, measured.balls, measured.result, QuietTime(), cores});
+  Cores before = coresNow();
   for (int round = 1; round < options.rounds; ++round)
     for (std::size_t k = 0; k < all.size(); ++k)
     {
-      const Cores before = coresNow();
       const CrowdRun run = measure(all[k], effort);
-      if (!run.result.done || coresNow() != before) continue;
-      apart[2 * k + (before == Cores::Far)].time.add(run.ticks);
+      const Cores after = coresNow();
+      if (run.result.done && after == before) apart[2 * k + (after == Cores::Far)].time.add(run.ticks);
+      before = after;
     }
   apart.erase(std::remove_if(apart.begin(), apart.end(), [](const Measured& measured) { return measured.time.runs() == 0; }), apart.end());
   return apart;

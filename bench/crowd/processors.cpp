@@ -3,6 +3,7 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -42,9 +43,12 @@ std::vector<pid_t> threads()
   return all;
 }
 
-void let(pid_t thread, const cpu_set_t& set)
+/// False if the thread has ended: one that has been joined is listed a little longer.
+bool let(pid_t thread, const cpu_set_t& set)
 {
-  if (sched_setaffinity(thread, sizeof set, &set) != 0) throw std::runtime_error("sched_setaffinity: refused");
+  if (sched_setaffinity(thread, sizeof set, &set) == 0) return true;
+  if (errno != ESRCH) throw std::runtime_error("sched_setaffinity: refused");
+  return false;
 }
 }  // namespace
 
@@ -56,13 +60,13 @@ std::size_t processors()
 void giveProcessors()
 {
   const std::vector<int> its = allowedProcessors();
-  const std::vector<pid_t> all = threads();
-  for (std::size_t k = 0; k < all.size(); ++k)
+  std::size_t given = 0;
+  for (const pid_t thread : threads())
   {
     cpu_set_t one;
     CPU_ZERO(&one);
-    CPU_SET(its[k % its.size()], &one);
-    let(all[k], one);
+    CPU_SET(its[given % its.size()], &one);
+    given += let(thread, one);
   }
 }
 
