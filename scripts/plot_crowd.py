@@ -101,7 +101,8 @@ def draw_contacts(axis, rows):
                       label=f"{name(line)}, {scene}", **chosen)
     axes_of(axis, "cost of an impact, on walls and balls", "s")
     axis.set_ylabel("cost of an impact")
-    axis.legend(fontsize=9)
+    axis.set_ylim(top=4e-4)  # the same
+    axis.legend(fontsize=9, ncol=2, loc="upper center")
 
 
 def draw(rows, docs):
@@ -111,7 +112,8 @@ def draw(rows, docs):
     draw_memory(axes[1][0], rows)
     draw_contacts(axes[1][1], rows)
     handles, names = axes[0][0].get_legend_handles_labels()
-    axes[1][0].legend(handles, names, fontsize=9, loc="center", bbox_to_anchor=(0.45, 0.68))
+    axes[1][0].set_ylim(top=4e5)  # the legend is above all lines
+    axes[1][0].legend(handles, names, fontsize=9, ncol=2, loc="upper center")
     save(figure, docs, "crowd.svg")
 
 
