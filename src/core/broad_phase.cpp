@@ -133,18 +133,13 @@ void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
   slices_ = kSlices * cells_;
 }
 
-// Into those of this part.
+// Into those of this part, which is one of its parts.
 void BroadPhase::addToLists(std::size_t part, const Extent& extent, std::uint32_t index)
 {
   const Cell first = cellAt(extent.low()), last = cellAt(extent.high);
-  if (overManyCells(first, last))
-  {
-    if (part == 0) everywhere_.push_back({extent, index, kNoLink});
-    return;
-  }
+  if (overManyCells(first, last)) return everywhere_.push_back({extent, index, kNoLink});
   std::vector<Listed>& links = links_[part];
   const std::size_t begin = firstCell(part), end = firstCell(part + 1);
-  if (cell(first[0], first[1], first[2]) >= end || cell(last[0], last[1], last[2]) < begin) return;
   eachCell(first, last,
            [&](int x, int y, int z)
            {
@@ -254,6 +249,6 @@ void BroadPhase::sort(Workers& workers)
   boxes_ = start_[slices_ + 1];
   if (in_cells_ < boxes_) any_link_ = true;
   for (std::size_t p = in_cells_; p < boxes_; ++p)
-    for (std::size_t part = 0; part < parts(); ++part) addToLists(part, entries_[p], index_[p]);
+    eachPartOf(entries_[p], [&](std::size_t part) { addToLists(part, entries_[p], index_[p]); });
 }
 }  // namespace ping_pong

@@ -208,6 +208,9 @@ private:
     constexpr double kManyCells = 64.0;
     return (last[0] - first[0] + 1.0) * (last[1] - first[1] + 1.0) * (last[2] - first[2] + 1.0) > kManyCells;
   }
+  /// Calls action(part) for each part of the grid that has cells of this box, if it is in their lists.
+  template <class Action>
+  void eachPartOf(const Extent& extent, const Action& action) const;
   void addToLists(std::size_t part, const Extent& extent, std::uint32_t index);
   void noteBlock(std::size_t block);
   std::uint32_t middleOf(std::size_t block) const;
@@ -487,18 +490,24 @@ void BroadPhase::takeFromLists(const Extent& extent, const Take& take) const
   eachCell(first, last, takeFromList);
 }
 
+template <class Action>
+void BroadPhase::eachPartOf(const Extent& extent, const Action& action) const
+{
+  if (parts() == 1) return action(0);
+  const Cell low = cellAt(extent.low()), high = cellAt(extent.high);
+  if (overManyCells(low, high)) return action(0);
+  const std::size_t first = cell(low[0], low[1], low[2]), last = cell(high[0], high[1], high[2]);
+  for (std::size_t part = 0; part < parts(); ++part)
+    if (first < firstCell(part + 1) && last >= firstCell(part)) action(part);
+}
+
 template <class AnyBox>
 void BroadPhase::announce(std::uint32_t index, const AnyBox& box, Additions& list) const
 {
   if (box.empty()) return;
   if (list.size() < parts()) list.resize(parts());
   const Addition addition{extentOf(box), index | kAdded};
-  if (parts() == 1) return list.front().push_back(addition);
-  const Cell low = cellAt(addition.extent.low()), high = cellAt(addition.extent.high);
-  if (overManyCells(low, high)) return list.front().push_back(addition);
-  const std::size_t first = cell(low[0], low[1], low[2]), last = cell(high[0], high[1], high[2]);
-  for (std::size_t part = 0; part < parts(); ++part)
-    if (first < firstCell(part + 1) && last >= firstCell(part)) list[part].push_back(addition);
+  eachPartOf(addition.extent, [&](std::size_t part) { list[part].push_back(addition); });
 }
 
 // Each part of the grid is one worker's.

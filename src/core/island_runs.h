@@ -32,11 +32,10 @@ void eachList(WorldState& world, const Window& window, const Action& action)
                      });
 }
 
-/// Calls action(entry) for all entries; some before, ahead(entry): what that fetches has come by then.
-template <class Ahead, class Action>
-void inTurn(const std::uint32_t* entries, std::size_t count, const Ahead& ahead, const Action& action)
+/// Calls action(entry) for all entries; kAhead before, ahead(entry): what that fetches has come by then.
+template <std::size_t kAhead = 3, class Entry, class Ahead, class Action>
+void inTurn(const Entry* entries, std::size_t count, const Ahead& ahead, const Action& action)
 {
-  constexpr std::size_t kAhead = 3;
   for (std::size_t c = 0; c < std::min(kAhead, count); ++c) ahead(entries[c]);
   for (std::size_t c = 0; c < count; ++c)
   {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "island_runs.h"
+
 namespace ping_pong
 {
 namespace
@@ -65,25 +67,22 @@ void uniteOwn(IslandRecords& islands, IslandWork& work)
   work.roots.clear();
   work.apart.clear();
   work.squares = 0;
-  const auto claimSoon = [&](std::size_t p)
-  {
-    if (p >= work.met.size()) return;
-    islands.glances.fetchToChange(work.met[p][0]);
-    islands.glances.fetchToChange(work.met[p][1]);
-  };
-  for (std::size_t p = 0; p < kAhead; ++p) claimSoon(p);
-  for (std::size_t p = 0; p < work.met.size(); ++p)
-  {
-    claimSoon(p + kAhead);
-    const auto& [i, k] = work.met[p];
-    const bool own_i = islands.claim(work, i), own_k = islands.claim(work, k);
-    const std::uint32_t a = own_i && own_k ? rootAmongOwn(islands, work, i) : IslandRecords::kNoEntry;
-    const std::uint32_t b = a != IslandRecords::kNoEntry ? rootAmongOwn(islands, work, k) : IslandRecords::kNoEntry;
-    if (b == IslandRecords::kNoEntry)
-      work.apart.push_back({i, k});
-    else
-      joinAndList(islands, work, a, b);
-  }
+  inTurn<kAhead>(work.met.data(), work.met.size(),
+                 [&islands](const auto& pair)
+                 {
+                   for (const std::uint32_t i : pair) islands.glances.fetchToChange(i);
+                 },
+                 [&](const auto& pair)
+                 {
+                   const auto [i, k] = pair;
+                   const bool own_i = islands.claim(work, i), own_k = islands.claim(work, k);
+                   const std::uint32_t a = own_i && own_k ? rootAmongOwn(islands, work, i) : IslandRecords::kNoEntry;
+                   const std::uint32_t b = a != IslandRecords::kNoEntry ? rootAmongOwn(islands, work, k) : IslandRecords::kNoEntry;
+                   if (b == IslandRecords::kNoEntry)
+                     work.apart.push_back(pair);
+                   else
+                     joinAndList(islands, work, a, b);
+                 });
   work.met.clear();
   const auto joined = [&](std::uint32_t root) { return islands.busy(root).root != root; };
   work.roots.erase(std::remove_if(work.roots.begin(), work.roots.end(), joined), work.roots.end());
