@@ -1,4 +1,4 @@
-// SimBenchmark's "bouncing" and "elastic 666" (leggedrobotics/SimBenchmark) with its parameters.
+// SimBenchmark's "bouncing", "elastic 666" and "666" (leggedrobotics/SimBenchmark) with its parameters.
 #include <cmath>
 
 #include "closed_forms.h"
@@ -53,7 +53,7 @@ Start startBouncing(const ChartScene& chart, int n, int)
   return start;
 }
 
-// 6 x 6 x 6 balls, the lowest at this height, fall on the floor and on each other.
+// 6 x 6 x 6 balls, the lowest at this height [m], fall on the floor and on each other.
 Start start666(const ChartScene& chart, int n, double restitution, double height)
 {
   Start start;
@@ -72,17 +72,18 @@ Start start666(const ChartScene& chart, int n, double restitution, double height
   return start;
 }
 
-// They scatter; chaos leaves nothing to compare with.
-Start startElastic666(const ChartScene& chart, int n, int)
+// What both scenes of them have in common.
+ChartScene chart666(const std::string& name, double restitution, double height)
 {
-  return start666(chart, n, 1.0, 1.101);
-}
-
-// Columns of six balls stand on the floor, out of line by up to a millimetre: they collapse, and all balls end up on
-// the floor.
-Start startInelastic666(const ChartScene& chart, int n, int)
-{
-  return start666(chart, n, 0.0, 0.101);
+  ChartScene chart;
+  chart.name = name;
+  chart.duration = 10.0;
+  chart.sample_period = 0.1;
+  chart.steps = oneTwoFive(2e-2, 1e-4);
+  chart.tolerances = {1e-6};
+  chart.starts = 2;
+  return withStarts(chart, [restitution, height](const ChartScene& its, int n, int)
+                    { return start666(its, n, restitution, height); });
 }
 }  // namespace
 
@@ -100,35 +101,26 @@ ChartScene bouncing()
   return withStarts(chart, startBouncing);
 }
 
+// They scatter; chaos leaves nothing to compare with.
 ChartScene elastic666()
 {
-  ChartScene chart;
-  chart.name = "elastic_666";
+  ChartScene chart = chart666("elastic_666", 1.0, 1.101);
   chart.title = "SimBenchmark elastic 666: 216 elastic balls, 10 s";
   chart.measure = Measure::Energy;
-  chart.duration = 10.0;
-  chart.sample_period = 0.1;
-  chart.steps = oneTwoFive(2e-2, 1e-4);
-  chart.tolerances = {1e-6};
-  chart.starts = 2;
   chart.reference = "energy is conserved";
-  return withStarts(chart, startElastic666);
+  return chart;
 }
 
+// Columns of six balls stand on the floor, out of line by up to a millimetre: they collapse, and all balls end up on
+// the floor.
 ChartScene inelastic666()
 {
-  ChartScene chart;
-  chart.name = "inelastic_666";
+  ChartScene chart = chart666("inelastic_666", 0.0, 0.101);
   chart.title = "SimBenchmark 666: 216 balls that do not bounce, 10 s";
   chart.measure = Measure::Overlap;
-  chart.duration = 10.0;
-  chart.sample_period = 0.1;
-  chart.steps = oneTwoFive(2e-2, 1e-4);
-  chart.tolerances = {1e-6};
-  chart.starts = 2;
   chart.reference = "nothing is inside another, and all balls come to lie on the floor";
   chart.settled = [](const BallState& end)
   { return std::abs(end.p_WB.z() - heavyBall().radius) < 0.5 * heavyBall().radius; };
-  return withStarts(chart, startInelastic666);
+  return chart;
 }
 }  // namespace ping_pong::bench

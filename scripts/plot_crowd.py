@@ -101,7 +101,7 @@ def draw_contacts(axis, rows):
                       label=f"{name(line)}, {scene}", **chosen)
     axes_of(axis, "cost of an impact, on walls and balls", "s")
     axis.set_ylabel("cost of an impact")
-    axis.set_ylim(top=4e-4)  # the same
+    axis.set_ylim(top=4e-4)  # the legend is above all lines
     axis.legend(fontsize=9, ncol=2, loc="upper center")
 
 
@@ -112,7 +112,7 @@ def draw(rows, docs):
     draw_memory(axes[1][0], rows)
     draw_contacts(axes[1][1], rows)
     handles, names = axes[0][0].get_legend_handles_labels()
-    axes[1][0].set_ylim(top=4e5)  # the legend is above all lines
+    axes[1][0].set_ylim(top=4e5)
     axes[1][0].legend(handles, names, fontsize=9, ncol=2, loc="upper center")
     save(figure, docs, "crowd.svg")
 
@@ -154,10 +154,10 @@ def threads_table(rows):
 def long_runs(about, rows):
     """One thread, two, and one beside another world, of many runs; with near and with far processors."""
     text = ["| scene | balls | processors | runs | an impact, one thread | two threads | one / two | two worlds at once gain |", "| --- | --- | --- | --- | --- | --- | --- | --- |"]
+    exact = (OURS, "exact", 0.0)
     for scene in SCENES:
         for cores, where in (("near", "on one chip"), ("far", "on two")):
             mine = [row for row in rows if row["cores"] == cores]
-            exact = (OURS, "exact", 0.0)
             ones, twos = (lines_of(mine, scene, n).get(exact, []) for n in (1.0, 2.0))
             for one, two, beside in zip(ones, twos, lines_of(mine, scene).get((OURS, "exact_with_companion", 0.0), [])):
                 text.append(f"| {scene} | {one['balls']:.0f} | {where} | {two['runs']:.0f} | {one['cost_us'] / one['contacts']:.3g} µs | {two['cost_us'] / two['contacts']:.3g} µs | "

@@ -189,14 +189,14 @@ Cores coresNow()
 }
 
 /// Of each point apart what it costs with near and with far processors: this system moves them from chip to chip at times. A
-/// run counts if they were as far from each other after it as before.
+/// run counts if they were as far from each other after it as before; those of `all`, which tell how many ticks it has, do not.
 std::vector<Measured> measureApart(std::vector<Measured>& all, const Options& options, const CrowdEffort& effort)
 {
   std::vector<Measured> apart;
   for (const Measured& measured : all)
     for (const Cores cores : {Cores::Near, Cores::Far}) apart.push_back({measured.scene, measured.point, measured.balls, measured.result, QuietTime(), cores});
   Cores before = coresNow();
-  for (int round = 1; round < options.rounds; ++round)
+  for (int round = 0; round < options.rounds; ++round)
     for (std::size_t k = 0; k < all.size(); ++k)
     {
       const CrowdRun run = measure(all[k], effort);
@@ -209,21 +209,27 @@ std::vector<Measured> measureApart(std::vector<Measured>& all, const Options& op
 }
 
 /// Round after round, so that whoever else uses the machine for a while does not do so at the cost of one point.
+void measureAgain(std::vector<Measured>& all, const Options& options, const CrowdEffort& effort)
+{
+  for (int round = 1; round < options.rounds; ++round)
+    for (Measured& measured : all)
+      if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled()) measure(measured, effort);
+}
+
 void measureAll(const Options& options)
 {
   std::FILE* file = std::fopen(options.out.c_str(), "w");
   if (file == nullptr) throw std::runtime_error(options.out + ": cannot be written");
   const Provenance from = provenance(options.commit);
   const std::string load = loadNow();
-  const double distance = coreDistance();
   const CrowdEffort effort = options.quick ? CrowdEffort{0.1, 5.0} : CrowdEffort();
   std::vector<Measured> all = firstRound(options, effort);
-  if (options.companion) all = measureApart(all, options, effort);
-  for (int round = 1; round < options.rounds && !options.quick && !options.companion; ++round)
-    for (Measured& measured : all)
-      if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled()) measure(measured, effort);
-  std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n# core_to_core_ns: %.0f %.0f\n", from.machine.c_str(), from.compiler.c_str(),
-               from.commit.c_str(), load.c_str(), distance, coreDistance());
+  if (options.companion)
+    all = measureApart(all, options, effort);
+  else if (!options.quick)
+    measureAgain(all, options, effort);
+  std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(), from.compiler.c_str(),
+               from.commit.c_str(), load.c_str());
   std::fprintf(file, "scene,engine,variant,step,threads,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"
                      "overlap_m,escaped,most_cost_us,rest_after_s,runs,hash,cores\n");
   for (const Measured& measured : all) writeRow(file, measured);

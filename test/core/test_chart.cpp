@@ -80,10 +80,11 @@ protected:
   }
 };
 
+// [m], a thousandth of a ball of 200 mm: `exact` passes a pile to `impulse`, at 1 ms.
+constexpr double kPileOverlap = 2e-4;
+
 const std::vector<std::string> kVacuum = {"flight_vacuum",      "bouncing",    "drop_to_rest",
                                           "spin_bounce_vacuum", "ball_in_box", "paddle_hit"};
-constexpr double kPileOverlap =
-    2e-4;  // [m], a thousandth of a ball of 200 mm: `exact` passes a pile to `impulse`, at 1 ms
 const std::vector<std::string> kAir = {"flight_air", "spin_bounce", "rally"};
 
 std::vector<std::string> all()
