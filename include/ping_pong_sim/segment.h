@@ -9,6 +9,16 @@
 
 namespace ping_pong
 {
+/// What the spin of a path has beyond its linear term: on a curved or turning surface.
+struct SpinTerms
+{
+  static constexpr int kFirst = 2;  ///< power of s that c begins with
+  static constexpr int kLast = 8;
+
+  std::array<Vector3d, kLast - kFirst + 1> c{};      ///< [rad/s^(k+1)], in W
+  double next_piece = 0.0;                           ///< length that will do for the piece after this one, 0: unknown [s]
+};
+
 /// What a path has that is not free flight in vacuum.
 struct FurtherTerms
 {
@@ -21,11 +31,12 @@ struct FurtherTerms
   double spin_decay = 0.0;                           ///< in the air [1/s]
   double next_piece = 0.0;                           ///< length that will do for the piece after this one, 0: unknown [s]
   Vector3d a_low, a_high;                            ///< of a degree above 2, see boundAcceleration() [m/s^2]
+  Pooled<SpinTerms> spin;
 };
 
-/// p(s) = c0 + c1 s + ... + c_degree s^degree with s = t - start; spin w(s) = w exp(-decay s) + alpha s.
+/// p(s) = c0 + c1 s + ... + c_degree s^degree with s = t - start; spin w(s) = w exp(-decay s) + alpha s + spin terms.
 /// Flight in vacuum has degree 2 and no further terms; flight through air degree 5 to 9; a path held to a curved or turning
-/// surface is a quintic piece. Without further terms all that is theirs is zero.
+/// surface degree 9, with spin terms. Without further terms all that is theirs is zero.
 struct Segment
 {
   static constexpr int kMaxDegree = FurtherTerms::kLast;
@@ -68,6 +79,7 @@ struct Segment
   double speedBound(double from, double to) const { return velocity(from).norm() + (to - from) * accelerationBound(); }
 
 private:
+  Quaterniond orientation(double s) const;
   Vector3d positionOnPolynomial(double s) const;
   Vector3d velocityOnPolynomial(double s) const;
   static std::array<Vector3d, FurtherTerms::kFirst> zeros()

@@ -1,22 +1,14 @@
-// Contact mode: a ball that has stopped bouncing on a surface stays on it, exactly, until the surface lets it go.
+// Contact mode: the surfaces that carry a ball which has stopped bouncing on them.
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
-#include "ping_pong_sim/body.h"
-#include "ping_pong_sim/detect.h"
-#include "ping_pong_sim/evolve.h"
 #include "ping_pong_sim/pooled.h"
 
 namespace ping_pong
 {
-/// n.a >= b: the surface forbids accelerations into itself.
-struct AccelerationBound
-{
-  Vector3d n;      ///< unit normal, towards the ball
-  double b = 0.0;  ///< [m/s^2]
-};
-
 /// Surfaces that a ball lies on.
 class Supports
 {
@@ -34,15 +26,14 @@ public:
   bool has(std::size_t body, std::size_t shape) const { return list_ && list_->has(body, shape); }
   void add(std::size_t body, std::size_t shape);  ///< ignores what it has already, and more than kMax
   void remove(std::size_t index);
+  void replace(std::size_t index, std::size_t body, std::size_t shape);  ///< removes it if the other is there already
 
   double since() const { return list_ ? list_->since : 0.0; }  ///< world time at which its bounces ended [s]
   void setSince(double time) { list_.make().since = time; }
 
-  /// A shape whose contacts are not looked for until then, on this path: it continues a face that the ball slides over.
-  void pass(std::size_t body, std::size_t shape, double until);
-  void passNone();
-  /// When contacts with this shape begin to count, no earlier than `from` [s].
-  double passesUntil(std::size_t body, std::size_t shape, double from) const;
+  /// The path that ended had hardly begun, or not: paths that are short one after the other.
+  void countShort(bool is_short);
+  std::uint32_t shortPaths() const { return list_ ? list_->short_paths : 0; }
 
   /// Memory for those of so many balls, see Pooled::reserve().
   static void reserve(std::size_t balls, std::size_t threads) { Pooled<List>::reserve(balls, threads); }
@@ -51,27 +42,13 @@ private:
   struct List
   {
     double since = 0.0;
-    double passing_until = -kNever;  ///< of `passing`
     std::array<Surface, kMax> surfaces;
-    Surface passing;
     std::uint32_t count = 0;
+    std::uint32_t short_paths = 0;
 
     bool has(std::size_t body, std::size_t shape) const;
   };
 
   Pooled<List> list_;  ///< few balls of a crowd lie
 };
-
-/// Bounds of all surfaces that a ball lies on, at one instant.
-struct AccelerationBounds
-{
-  std::array<AccelerationBound, Supports::kMax> list;
-  std::array<bool, Supports::kMax> loaded{};  ///< answer: the ball cannot leave this surface
-  std::array<double, Supports::kMax> load{};  ///< answer: force per mass along n [m/s^2]
-  std::size_t count = 0;
-};
-
-/// The acceleration nearest to `free` that respects all bounds: what smooth surfaces leave of it (Gauss's principle of least
-/// constraint). Looks through the active sets of up to three bounds; marks those that carry load.
-Vector3d constrainedAcceleration(const Vector3d& free, AccelerationBounds& bounds);
 }  // namespace ping_pong

@@ -2,59 +2,118 @@
 
 #include <cmath>
 
-#include "held_motion.h"
 #include "fixed_flight.h"
+#include "ping_pong_sim/evolve.h"
+#include "resting/held_piece.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr double kLift = 1e-12;             // height of bounces that no longer count [m]
-constexpr double kLiftInTolerances = 32.0;  // or this many touch tolerances, far from the origin
 constexpr double kKeepGap = 1e-6;           // a support is left from further than this [m]
 constexpr double kStillSpeed = 1e-12;       // below: rounding, the ball lies still [m/s]
-constexpr double kStillFraction = 1e-12;    // tangential acceleration below this part of the free one is rounding
-constexpr double kPiece = 2.5e-4;           // longest quintic piece on a curved or turning surface [s]
-constexpr double kFlatPiece = 2e-3;         // and on one flat face, where only air and turning slip bend the path [s]
-constexpr int kProjections = 8;
-constexpr double kShortestPiece = 1e-9;  // [s]
+constexpr double kRoundedFraction = 1e-12;  // accelerations below this part of all there are are rounding
+constexpr int kProjections = 32;
+constexpr double kHeldTolerance = 1e-10;    // of pieces on surfaces: no ball sinks in by as much, whatever the scene's [m]
+constexpr double kLeastTolerance = 1e-14;   // rounding [m]
+constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces that continue each other
+
+// What can be stopped within this time is stopped at once: the error is a fraction of g t^2 = 1e-13 m. Paths that end one
+// after the other in no time make it longer, so that they come to an end.
+constexpr double kGripTime = 1e-7;     // [s]
+constexpr double kLongestGrip = 1e-3;  // [s]
+constexpr double kShortPath = 1e-5;    // [s]
+constexpr std::uint32_t kPatience = 12;
+
+double gripTime(const Supports& supports)
+{
+  const std::uint32_t impatient = supports.shortPaths() > kPatience ? supports.shortPaths() - kPatience : 0;
+  return std::min(kLongestGrip, std::ldexp(kGripTime, static_cast<int>(impatient)));
+}
+
+BodyFrame frameOf(const BodyRecord& body, double t) { return frameAt(body.frame(), t - body.frame().start); }
+
+Gap gapOver(const WorldState& world, const BallRecord& ball, const Supports::Surface& support, const BallState& state, double t)
+{
+  const BodyRecord& body = world.bodies[support.body];
+  const Shape& shape = body.shapes()[support.shape];
+  const double radius = ball.params().radius;
+  return body.moving ? gapTo(shape, frameOf(body, t), state.p_WB, state.v_WB, radius)
+                     : gapTo(shape, state.p_WB, state.v_WB, radius);
+}
+
+bool touches(const Gap& gap) { return std::abs(gap.gap) <= kKeepGap && std::abs(gap.rate) <= kKeepSpeed; }
 
 // The ball is put on the surface and moves along it; false if it is off the surface or moves away or into it.
-bool projectOn(const Place& place, double radius, BallState& ball)
+bool projectOn(const Gap& gap, BallState& ball)
 {
-  const Gap gap = gapTo(place.shape, place.frame, ball.p_WB, ball.v_WB, radius);
-  if (std::abs(gap.gap) > kKeepGap || std::abs(gap.rate) > kKeepSpeed) return false;
+  if (!touches(gap)) return false;
   ball.p_WB -= gap.gap * gap.n_W;
   ball.v_WB -= gap.rate * gap.n_W;
   return true;
 }
 
-// Projecting on one surface shifts the ball on the others: a few rounds bring it onto all.
-void settleOnAll(const WorldState& world, const BallRecord& ball, BallState& state, double t)
+// Projecting on one surface shifts the ball on the others: rounds of that bring it onto all.
+void projectOnAll(const WorldState& world, const BallRecord& ball, BallState& state, double t)
 {
   if (ball.supports.count() < 2) return;
-  for (int round = 0; round < kProjections; ++round)
+  double shift = kNever;
+  for (int round = 0; round < kProjections && shift > 0.0; ++round)
+  {
+    const double tolerance = touchTolerance(state.p_WB, ball.params().radius);
+    shift = 0.0;
     for (std::size_t i = 0; i < ball.supports.count(); ++i)
-      projectOn(placeOf(world, ball, i, t), ball.params().radius, state);
+    {
+      const Gap gap = gapOver(world, ball, ball.supports[i], state, t);
+      if (projectOn(gap, state) && (std::abs(gap.gap) > tolerance || std::abs(gap.rate) > 1e-16)) shift = 1.0;
+    }
+  }
 }
 
 void dropSurfacesLeft(const WorldState& world, BallRecord& ball, BallState& state, double t)
 {
   for (std::size_t i = ball.supports.count(); i-- > 0;)
-    if (!projectOn(placeOf(world, ball, i, t), ball.params().radius, state)) ball.supports.remove(i);
-  settleOnAll(world, ball, state, t);
+    if (!projectOn(gapOver(world, ball, ball.supports[i], state, t), state)) ball.supports.remove(i);
+  projectOnAll(world, ball, state, t);
 }
 
-bool allFlatAndNotTurning(const WorldState& world, const BallRecord& ball, const BallState& state, double t)
+// A face of another shape, flush with what the ball lies on: its normal is the same, and the ball touches it, too.
+bool flushFace(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, const Vector3d& n_W, double t)
 {
-  for (std::size_t i = 0; i < ball.supports.count(); ++i)
+  const BodyFrame frame = body.moving ? frameOf(body, t) : BodyFrame();
+  const Vector3d p_BQ = frame.R_WB.transpose() * (state.p_WB - frame.p_WB);
+  const Feature feature = featureAt(shape, p_BQ);
+  if (!flat(shape, feature)) return false;
+  const Proximity near = proximity(shape, feature, p_BQ);
+  return std::abs(near.distance - ball.params().radius) <= flushTolerance(state.p_WB, ball.params().radius) &&
+         (frame.R_WB * near.normal - n_W).norm() <= kSameNormal;
+}
+
+// Beyond the border of a face a flush one carries the ball on, not the edge between both.
+void passToFlushFaces(const WorldState& world, BallRecord& ball, const BallState& state, double t)
+{
+  for (std::size_t i = ball.supports.count(); i-- > 0;)
   {
-    const Place place = placeOf(world, ball, i, t);
-    if (world.bodies[ball.supports[i].body].frame().turning()) return false;
-    const Vector3d p_BQ = place.frame.R_WB.transpose() * (state.p_WB - place.frame.p_WB);
-    if (!proximity(place.shape, p_BQ).flat()) return false;
+    const Supports::Surface support = ball.supports[i];
+    const BodyRecord& its_body = world.bodies[support.body];
+    const BodyFrame frame = its_body.moving ? frameOf(its_body, t) : BodyFrame();
+    const Vector3d p_BQ = frame.R_WB.transpose() * (state.p_WB - frame.p_WB);
+    const Shape& its_shape = its_body.shapes()[support.shape];
+    if (flat(its_shape, featureAt(its_shape, p_BQ))) continue;
+    const Vector3d n = frame.R_WB * proximity(its_shape, p_BQ).normal;
+    for (std::size_t b = 0; b < world.bodies.size(); ++b)
+    {
+      const BodyRecord& body = world.bodies[b];
+      if (b != support.body && (body.moving || its_body.moving)) continue;
+      for (std::size_t s = 0; s < body.shapes().size(); ++s)
+        if (flushFace(body, body.shapes()[s], ball, state, n, t))
+        {
+          ball.supports.replace(i, b, s);
+          b = world.bodies.size() - 1;
+          break;
+        }
+    }
   }
-  return true;
 }
 
 bool onMovingBody(const WorldState& world, const Supports& supports)
@@ -75,100 +134,113 @@ double leavesFirstFace(const WorldState& world, const Supports& supports, const 
   return first;
 }
 
-// Whether the acceleration stays what it is now for as long as the ball stays on its faces.
-bool steady(const WorldState& world, const BallRecord& ball, const BallState& state, const HeldMotion& motion, double t)
+// --- closed forms ---
+
+bool along(const Vector3d& x, const Vector3d& change)
 {
-  if (!allFlatAndNotTurning(world, ball, state, t)) return false;
-  if (world.scene.forces.dependOnVelocity() && !(state.v_WB.isZero(0.0) && motion.a.isZero(0.0))) return false;
-  bool rough = false;
-  for (std::size_t i = 0; i < ball.supports.count(); ++i) rough |= placeOf(world, ball, i, t).law.friction > 0.0;
-  if (!rough) return true;
-  if (ball.supports.count() > 1) return motion.a.isZero(0.0) && motion.alpha.isZero(0.0);
-  // Friction keeps its direction while the slip does: it changes along itself.
-  const Place place = placeOf(world, ball, 0, t);
-  const Vector3d slip = slipOver(place, ball.params(), state);
-  const Vector3d n = gapTo(place.shape, place.frame, state.p_WB, state.v_WB, ball.params().radius).n_W;
-  const Vector3d change = motion.a - place.frame.a_WB - ball.params().radius * motion.alpha.cross(n);
-  return slip.cross(change - n.dot(change) * n).norm() <= 1e-12 * slip.norm() * (change.norm() + 1.0);
+  return x.cross(change).norm() <= 1e-12 * x.norm() * (change.norm() + 1.0);
 }
 
-void moveOnFaces(const WorldState& world, const BallRecord& ball, const BallState& state, const HeldMotion& motion,
-                 double t, double window_end, Segment& path)
+// What slips and rolls keeps its direction: it changes along itself.
+bool straight(const Decision& decision)
 {
-  const bool still = state.v_WB.norm() < kStillSpeed && motion.a.isZero(0.0);
+  const ContactProblem& problem = decision.problem;
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    const SupportPoint& at = problem.at[i];
+    const Vector3d slip_rate = tangentialTo(at.n, decision.motion.a) - decision.motion.b.cross(at.n) + at.slip_bias;
+    const Vector3d roll_rate = tangentialTo(at.n, decision.motion.b) + at.roll_bias;
+    if (problem.mode[i].slip == Resistance::Slips && !along(at.slip, slip_rate)) return false;
+    if (problem.mode[i].roll == Resistance::Slips && !along(at.roll, roll_rate)) return false;
+  }
+  return true;
+}
+
+bool atRest(const HeldBall& held, const Decision& decision, const BallMotion& ball)
+{
+  for (std::size_t i = 0; i < held.count; ++i)
+    if (!held.surface[i].still) return false;
+  return ball.v.norm() < kStillSpeed && decision.motion.a.isZero(0.0) && decision.motion.b.isZero(0.0);
+}
+
+// Whether the acceleration stays what it is now for as long as modes and faces do.
+bool steady(const HeldBall& held, const Decision& decision, const BallMotion& ball)
+{
+  if (decision.stops || atRest(held, decision, ball)) return true;
+  if (!held.model.constant()) return false;
+  if (held.model.spinDecay() != 0.0 && !(ball.s.isZero(0.0) && decision.motion.b.isZero(0.0))) return false;
+  for (std::size_t i = 0; i < held.count; ++i)
+    if (!held.surface[i].plane()) return false;
+  return straight(decision);
+}
+
+void moveSteadily(const WorldState& world, BallRecord& ball, const HeldBall& held, const Decision& decision,
+                  const BallMotion& motion, double t, double until, double window_end)
+{
+  Segment& path = ball.path;
+  const bool still = atRest(held, decision, motion);
   path.degree = still ? 0 : 2;
-  path.c[1] = still ? Vector3d(Vector3d::Zero()) : state.v_WB;
-  path.c[2] = 0.5 * motion.a;
-  if (!motion.alpha.isZero(0.0)) path.further.make().alpha_WB = motion.alpha;
-  path.end = std::min(leavesFirstFace(world, ball.supports, path, t), t + motion.until_grip);
+  path.c[1] = still ? Vector3d(Vector3d::Zero()) : motion.v;
+  path.c[2] = 0.5 * decision.motion.a;
+  if (!decision.motion.b.isZero(0.0)) path.further.make().alpha_WB = decision.motion.b / held.radius;
+  path.end = std::min(decision.stops ? kNever : leavesFirstFace(world, ball.supports, path, t), until);
   // On a moving body the caller plans anew at the next window; the path only has to reach it.
   if (onMovingBody(world, ball.supports) && path.end > window_end) path.end = kNever;
 }
 
-Vector3d cleaned(const Vector3d& a, const Vector3d& free)
+void moveOnPiece(const WorldState& world, BallRecord& ball, const HeldBall& held, const Decision& decision,
+                 const BallMotion& motion, double t, double window_end, double next_piece)
 {
-  return a.norm() < kStillFraction * free.norm() ? Vector3d(Vector3d::Zero()) : a;
+  const bool moving = onMovingBody(world, ball.supports) && window_end > t;
+  const double tolerance = std::max(std::min(kHeldTolerance, 0.1 * world.scene.tolerance), kLeastTolerance);
+  ball.path.further.make().spin.make().next_piece = next_piece;
+  layHeldPiece(held, decision, motion, t, moving ? window_end - t : kNever, tolerance, gripTime(ball.supports), ball.path);
+  if (moving && ball.path.end >= window_end) ball.path.end = window_end + kShortPath;  // see moveSteadily()
+  ball.path.boundAcceleration();
 }
 
-// Classic Runge-Kutta step of the held motion.
-BallState heldStep(const WorldState& world, const BallRecord& ball, const BallState& start, double t, double h)
+// --- what carries the ball from now on ---
+
+void removeSupport(std::size_t i, BallRecord& ball, HeldBall& held, Decision& decision)
 {
-  struct Slope
+  ball.supports.remove(i);
+  ContactProblem& problem = decision.problem;
+  for (std::size_t k = i; k + 1 < held.count; ++k)
   {
-    Vector3d v, a, alpha;
-  };
-  AccelerationBounds bounds;
-  const auto slope = [&](const Slope& before, double part)
+    held.surface[k] = held.surface[k + 1];
+    problem.law[k] = problem.law[k + 1];
+    problem.at[k] = problem.at[k + 1];
+    problem.mode[k] = problem.mode[k + 1];
+  }
+  --held.count;
+  --problem.count;
+}
+
+// Supports that carry nothing and part from the ball; those that do neither are still touched.
+void dropUnloaded(BallRecord& ball, HeldBall& held, Decision& decision, const BallMotion& motion)
+{
+  const double slack = kRoundedFraction * scaleOf(decision.problem);
+  for (std::size_t i = held.count; i-- > 0;)
   {
-    BallState at = start;
-    at.p_WB += part * h * before.v;
-    at.v_WB += part * h * before.a;
-    at.w_WB += part * h * before.alpha;
-    const HeldMotion motion = heldMotion(world, ball, at, t + part * h, h, bounds);
-    return Slope{at.v_WB, motion.a, motion.alpha};
-  };
-  const Slope k1 = slope({Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()}, 0.0);
-  const Slope k2 = slope(k1, 0.5);
-  const Slope k3 = slope(k2, 0.5);
-  const Slope k4 = slope(k3, 1.0);
-  BallState end = start;
-  end.p_WB += h / 6.0 * (k1.v + 2.0 * k2.v + 2.0 * k3.v + k4.v);
-  end.v_WB += h / 6.0 * (k1.a + 2.0 * k2.a + 2.0 * k3.a + k4.a);
-  end.w_WB += h / 6.0 * (k1.alpha + 2.0 * k2.alpha + 2.0 * k3.alpha + k4.alpha);
-  return end;
+    if (decision.problem.mode[i].loaded) continue;
+    const SupportPoint& at = decision.problem.at[i];
+    const bool parts = at.n.dot(decision.motion.a) > at.least + 10.0 * slack || at.rate > noSpeed(motion);
+    if (parts) removeSupport(i, ball, held, decision);
+  }
 }
 
-// Quintic with position, velocity and acceleration of both ends.
-void hermite(const BallState& from, const Vector3d& a0, const BallState& to, const Vector3d& a1, double h,
-             Segment& path)
-{
-  const Vector3d p = to.p_WB - from.p_WB - h * from.v_WB - 0.5 * h * h * a0;
-  const Vector3d v = h * (to.v_WB - from.v_WB - h * a0);
-  const Vector3d a = h * h * (a1 - a0);
-  path.degree = 5;
-  path.c[1] = from.v_WB;
-  path.c[2] = 0.5 * a0;
-  FurtherTerms& further = path.further.make();
-  further.c[0] = (10.0 * p - 4.0 * v + 0.5 * a) / (h * h * h);
-  further.c[1] = (-15.0 * p + 7.0 * v - a) / (h * h * h * h);
-  further.c[2] = (6.0 * p - 3.0 * v + 0.5 * a) / (h * h * h * h * h);
-}
+Vector3d cleaned(const Vector3d& a, double scale) { return a.norm() < kRoundedFraction * scale ? Vector3d(Vector3d::Zero()) : a; }
 
-void moveOnPiece(const WorldState& world, const BallRecord& ball, const BallState& state, const HeldMotion& motion,
-                 double t, double window_end, Segment& path)
+// Where Coulomb's law has no answer, friction has jammed the ball: all slip ends at once.
+Decision decideOrJam(const HeldBall& held, BallMotion& motion, double t, double grip_time)
 {
-  double h = ball.supports.count() == 1 && allFlatAndNotTurning(world, ball, state, t) ? kFlatPiece : kPiece;
-  if (motion.until_grip > kShortestPiece) h = std::min(h, motion.until_grip);
-  if (onMovingBody(world, ball.supports) && window_end > t) h = std::min(h, window_end - t);
-  BallState end = heldStep(world, ball, state, t, h);
-  for (std::size_t i = 0; i < ball.supports.count(); ++i)
-    projectOn(placeOf(world, ball, i, t + h), ball.params().radius, end);
-  settleOnAll(world, ball, end, t + h);
-  AccelerationBounds bounds;
-  hermite(state, motion.a, end, heldMotion(world, ball, end, t + h, h, bounds).a, h, path);
-  path.further->alpha_WB = (end.w_WB - state.w_WB) / h;
-  path.end = t + h;
-  path.boundAcceleration();
+  gripAtOnce(held, motion, t, false);
+  Decision decision = decide(held, motion, t, grip_time);
+  if (decision.answered) return decision;
+  gripAtOnce(held, motion, t, true);
+  decision = decide(held, motion, t, grip_time);
+  if (!decision.answered) decision.motion = BallAcceleration();
+  return decision;
 }
 
 // A step that is far too long for the forces ends nowhere: the ball then keeps its velocity, and the status tells of
@@ -194,20 +266,30 @@ void planFlight(const WorldState& world, BallRecord& ball, const BallState& stat
 // The path of a ball that lay on surfaces; it may leave some of them now, or all.
 void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
 {
+  const bool ended_soon = t >= ball.path.end && t - ball.path.start < kShortPath;
+  const double next_piece = ball.path.further && ball.path.further->spin ? ball.path.further->spin->next_piece : 0.0;
+  passToFlushFaces(world, ball, state, t);
   dropSurfacesLeft(world, ball, state, t);
-  AccelerationBounds bounds;
-  HeldMotion motion = heldMotion(world, ball, state, t, 0.0, bounds);
-  for (std::size_t i = ball.supports.count(); i-- > 0;)
-    if (!bounds.loaded[i]) ball.supports.remove(i);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
-  const Vector3d free = ball.model().acceleration(state.v_WB, state.w_WB);
-  motion.a = cleaned(motion.a, free);
-  motion.alpha = cleaned(ball.params().radius * motion.alpha, free) / ball.params().radius;
+  ball.supports.countShort(ended_soon);
+  const double grip_time = gripTime(ball.supports);
+  HeldBall held = heldBall(world, ball, state.p_WB, t);
+  BallMotion motion = motionOf(state, held.radius);
+  const Vector3d spin_before = motion.s;
+  Decision decision = decideOrJam(held, motion, t, grip_time);
+  state.v_WB = motion.v;
+  if (motion.s != spin_before) state.w_WB = motion.s / held.radius;
+  dropUnloaded(ball, held, decision, motion);
+  if (ball.supports.none()) return planFlight(world, ball, state, t);
+  const double scale = scaleOf(decision.problem);
+  decision.motion.a = cleaned(decision.motion.a, scale);
+  decision.motion.b = cleaned(decision.motion.b, scale);
   ball.path = flyParabola(state, t, Vector3d::Zero());
-  if (steady(world, ball, state, motion, t))
-    moveOnFaces(world, ball, state, motion, t, window_end, ball.path);
+  const double until = decision.stops ? t + grip_time : t + slipsFor(decision);
+  if (steady(held, decision, motion))
+    moveSteadily(world, ball, held, decision, motion, t, until, window_end);
   else
-    moveOnPiece(world, ball, state, motion, t, window_end, ball.path);
+    moveOnPiece(world, ball, held, decision, motion, t, window_end, next_piece);
 }
 }  // namespace
 
@@ -216,10 +298,20 @@ double timeOfRemainingBounces(double rate, double press, double restitution)
   return restitution < 1.0 ? 2.0 * rate / (press * (1.0 - restitution)) : 0.0;
 }
 
+Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball, const BallState& state, double t)
+{
+  if (ball.supports.none()) return ball.model().acceleration(state.v_WB, state.w_WB);
+  HeldBall held = heldBall(world, ball, state.p_WB, t);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < held.count; ++i)
+    if (touches(gapOver(world, ball, ball.supports[i], state, t))) held.surface[kept++] = held.surface[i];
+  held.count = kept;
+  return decide(held, motionOf(state, held.radius), t, kGripTime).motion.a;
+}
+
 void planPath(const WorldState& world, BallRecord& ball, const BallState& state, double t, double window_end)
 {
   ++ball.version;
-  ball.supports.passNone();
   if (ball.supports.none())
     planFlight(world, ball, state, t);
   else

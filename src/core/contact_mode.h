@@ -29,8 +29,14 @@ double timeOfRemainingBounces(double rate, double press, double restitution);
 constexpr double kSurelyBounces = 1.0;  ///< leaving faster than this, no force ends the bouncing [m/s]
 constexpr double kKeepSpeed = 1e-6;  ///< a support is left by moving away faster than this [m/s]
 
+/// Acceleration of a ball on the supports that it still touches: loads, friction and forces together [m/s^2].
+Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball, const BallState& state, double t);
+
+/// Faces this far apart are one plane [m].
+inline double flushTolerance(const Vector3d& p_WB, double radius) { return 1e-11 + 32.0 * touchTolerance(p_WB, radius); }
+
 /// Plans the path from `state` at time t: drops supports that let go or were left, projects what remains of the velocity
-/// into them, and lays a path: in the air; in closed form on flat faces (sliding to the end of slip, rolling, lying still); else
-/// one short quintic piece. On moving bodies it holds until `window_end` only.
+/// into them, and lays a path: in the air; in closed form on flat faces (sliding straight to the end of slip, rolling, lying
+/// still); else one polynomial piece. On moving bodies it holds until `window_end` only.
 void planPath(const WorldState& world, BallRecord& ball, const BallState& state, double t, double window_end);
 }  // namespace ping_pong

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "count.h"
+#include "geometry/feature.h"
 #include "march.h"
 #include "parabola.h"
 
@@ -11,8 +12,6 @@ namespace ping_pong
 {
 namespace
 {
-// Beyond the border of a face by this much the edge carries the ball; there its normal is tilted by kBorder / r.
-constexpr double kBorder = 1e-11;  // [m]
 // A ball that is still on the face when it should have left it, by rounding, looks again after this time.
 constexpr double kLeast = 1e-9;  // [s]
 

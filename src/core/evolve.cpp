@@ -1,12 +1,11 @@
 #include "ping_pong_sim/evolve.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "count.h"
+#include "evolve/gauss_points.h"
 
 namespace ping_pong
 {
@@ -36,103 +35,15 @@ void giveFurtherTerms(double spin_decay, Segment& path)
   further.spin_decay = spin_decay;
 }
 
-// Collocation at N Gauss-Legendre points of (0, 1): the polynomial of degree N - 1 through the accelerations there.
-template <int N>
-struct Points
-{
-  using Vector = Eigen::Matrix<double, N, 1>;
-  using Matrix = Eigen::Matrix<double, N, N>;
-  static constexpr int kLast = N < 6 ? 3 : 4;  // Legendre coefficients that tell of the error
-
-  Vector nodes;
-  Matrix to_powers;  // accelerations at the nodes -> coefficients of tau^k
-  Matrix integral;   // accelerations at the nodes -> their integral from 0 to each node
-  Eigen::Matrix<double, kLast, N> to_last;  // accelerations at the nodes -> last Legendre coefficients
-
-  Points()
-  {
-    Vector weights;
-    for (int i = 0; i < N; ++i)
-    {
-      const double x = legendreRoot(i);
-      const double slope = legendre(N, x).second;
-      nodes[i] = 0.5 * (1.0 - x);
-      weights[i] = 1.0 / ((1.0 - x * x) * slope * slope);  // Abramowitz and Stegun 25.4.29, for an interval of length 1
-    }
-    Matrix powers, integrated;
-    for (int i = 0; i < N; ++i)
-      for (int k = 0; k < N; ++k)
-      {
-        powers(i, k) = std::pow(nodes[i], k);
-        integrated(i, k) = std::pow(nodes[i], k + 1) / (k + 1);
-      }
-    to_powers = powers.inverse();
-    integral = integrated * to_powers;
-    for (int k = 0; k < kLast; ++k)
-      for (int i = 0; i < N; ++i)
-      {
-        const int degree = N - kLast + k;
-        to_last(k, i) = (2.0 * degree + 1.0) * weights[i] * legendre(degree, 2.0 * nodes[i] - 1.0).first;
-      }
-  }
-
-  // P_n(x) and its derivative.
-  static std::pair<double, double> legendre(int n, double x)
-  {
-    double p0 = 1.0, p1 = x;
-    if (n == 0) return {1.0, 0.0};
-    for (int k = 2; k <= n; ++k)
-    {
-      const double p2 = ((2.0 * k - 1.0) * x * p1 - (k - 1.0) * p0) / k;
-      p0 = p1;
-      p1 = p2;
-    }
-    return {p1, n * (x * p1 - p0) / (x * x - 1.0)};
-  }
-
-  // Newton on P_N from Chebyshev's guess (Abramowitz and Stegun 22.16.6).
-  static double legendreRoot(int i)
-  {
-    double x = std::cos(M_PI * (i + 0.75) / (N + 0.5));
-    for (int iteration = 0; iteration < 20; ++iteration)
-    {
-      const auto [value, slope] = legendre(N, x);
-      x -= value / slope;
-    }
-    return x;
-  }
-};
-
-// Where the coefficients fall fast, the error is this part of the last one's share or less.
-template <int N>
-constexpr double kShareOfLast = N < 6 ? 2e-2 : 1e-2;
 constexpr double kSweepsShare = 0.1;   // of the tolerance, left to the sweeps
 constexpr int kMaxSweeps = 40;
 constexpr double kLongestPiece = 1.0;  // [s]
 constexpr double kFirstTry = 3.0;      // length of the first piece, by tolerance^(1/(N+1)) / rate of the flow
 constexpr double kNoKink = std::numeric_limits<double>::infinity();  // [s]
-constexpr double kRally = 1.0;         // an error of the velocity lasts so long [s]
-
-// Error of the position a second later. Smooth accelerations have Legendre coefficients that fall as rho^k: the next ones
-// hardly count, and at the end of the piece, where Gauss points are of order 2 N, still less. Where they do not fall (the ball
-// turns round at no air speed, or passes a node of a table) as much as the last ones is left out, at the end as well.
-template <int N>
-double errorOf(const typename FlightModel::Rows<N>& a, double h, const Points<N>& points)
-{
-  constexpr int last = Points<N>::kLast - 1;
-  const Eigen::Matrix<double, last + 1, 3> b = points.to_last * a;
-  const double b0 = b.row(0).squaredNorm(), b2 = b.row(last - 1).squaredNorm(), b3 = b.row(last).squaredNorm();
-  const double before = last == 3 ? std::max(b0, b.row(1).squaredNorm()) : b0;
-  const double fall = std::max(b2, b3);
-  if (!(fall > 0.0)) return 0.0;
-  const double rho2 = std::min(1.0, last == 3 ? std::sqrt(fall / before) : fall / before);
-  const double rough = std::min(1.0, 16.0 * rho2 * rho2);  // 1 from rho = 1/2 on
-  return h * std::sqrt(std::max(b3, rho2 * b2)) * (std::max(kShareOfLast<N>, rough) * h + rough * rough * kRally);
-}
 
 // Velocities at the nodes to begin with: of the piece that was too long, or from a0 and how the acceleration changes along it.
 template <int N>
-typename FlightModel::Rows<N> firstGuess(const FlightModel& model, const Segment& path, double h, const Points<N>& points)
+typename FlightModel::Rows<N> firstGuess(const FlightModel& model, const Segment& path, double h, const GaussPoints<N>& points)
 {
   typename FlightModel::Rows<N> v;
   if (path.degree == N + 1)
@@ -150,7 +61,7 @@ typename FlightModel::Rows<N> firstGuess(const FlightModel& model, const Segment
 
 // The polynomial through the accelerations at the nodes.
 template <int N>
-void layThrough(const typename FlightModel::Rows<N>& a, double h, const Points<N>& points, Segment& path)
+void layThrough(const typename FlightModel::Rows<N>& a, double h, const GaussPoints<N>& points, Segment& path)
 {
   const typename FlightModel::Rows<N> b = points.to_powers * a;
   path.degree = N + 1;
@@ -167,7 +78,7 @@ void layThrough(const typename FlightModel::Rows<N>& a, double h, const Points<N
 template <int N>
 bool collocate(const FlightModel& model, double h, double tolerance, Segment& path, double& excess)
 {
-  static const Points<N> points;
+  static const GaussPoints<N> points;
   using Rows = FlightModel::Rows<N>;
   const Vector3d& v0 = path.c[1];
   FlightModel::Column<N> fade = FlightModel::Column<N>::Ones();

@@ -7,9 +7,9 @@
 #include "flown.h"
 #include "foresight.h"
 #include "handover.h"
-#include "held_motion.h"
 #include "hop.h"
 #include "islands.h"
+#include "ping_pong_sim/evolve.h"
 #include "ping_pong_sim/resolve.h"
 #include "placement.h"
 #include "streak.h"
@@ -20,7 +20,7 @@ namespace
 {
 constexpr double kSqueezeGap = 2e-5;   // room left to a ball that counts as squeezed [m]
 constexpr double kOpposed = -0.999;    // cosine between normals of squeezing surfaces
-constexpr double kSameNormal = 1e-9;   // 1 - cosine between normals of faces that continue each other
+constexpr double kDeadSpeed = 1e-4;    // leaving more slowly in a long streak, a ball no longer bounces [m/s]
 constexpr std::size_t kEventsPerAdvance = 1000000;
 constexpr std::size_t kEventsPerBall = 10000;
 
@@ -87,28 +87,16 @@ void settle(const WorldState& world, BallRecord& ball, const Event& event, const
   if (leaving > kSurelyBounces) return;
   const BodyRecord& body = world.bodies[event.other];
   const Shape& shape = body.shapes()[event.shape];
-  AccelerationBounds bounds;
-  const Vector3d a = smoothAcceleration(world, ball, state, t, bounds);
+  const Vector3d a = accelerationOnSupports(world, ball, state, t);
   const double press = -gapAcceleration(shape, frame, state.p_WB, state.v_WB, a);
   const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius);
-  if (!bouncingEnds(gap.rate, press, touchTolerance(state.p_WB, ball.params().radius))) return;
+  const bool ends = bouncingEnds(gap.rate, press, touchTolerance(state.p_WB, ball.params().radius));
+  // Surfaces that throw a ball at each other without end take it in the end: what is lost is below rounding of a rally.
+  if (!ends && !(ball.streak > kLongStreak && gap.rate < kDeadSpeed)) return;
   ball.supports.add(event.other, event.shape);
-  ball.supports.setSince(t + timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution));
+  ball.supports.setSince(t + (ends ? timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution) : 0.0));
   state.v_WB -= gap.rate * gap.n_W;
   state.p_WB -= gap.gap * gap.n_W;
-}
-
-// A ball that lies on one face and comes to the next one in the same plane: only rounding tells of a hit.
-bool passesSeam(const WorldState& world, const BallRecord& ball, const BallState& state, const Gap& gap, double t)
-{
-  if (gap.rate < -kKeepSpeed) return false;
-  for (std::size_t i = 0; i < ball.supports.count(); ++i)
-  {
-    const Place place = placeOf(world, ball, i, t);
-    const Gap support = gapTo(place.shape, place.frame, state.p_WB, state.v_WB, ball.params().radius);
-    if (1.0 - support.n_W.dot(gap.n_W) < kSameNormal) return true;
-  }
-  return false;
 }
 
 // In a crush a moving surface takes the ball along and does not throw it: no pumping up between paddle and table.
@@ -128,11 +116,6 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   BallState state = ball.stateAt(t);
   const Gap gap = body.moving ? gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius)
                               : gapTo(shape, state.p_WB, state.v_WB, ball.params().radius);
-  if (passesSeam(world, ball, state, gap, t))
-  {
-    ball.supports.pass(event.other, event.shape, ball.path.end);  // a convex shape stays below its tangent plane
-    return foreseeAll(world, window, i, t);
-  }
   const Vector3d u = body.moving ? frame.pointVelocity(state.p_WB - ball.params().radius * gap.n_W) : Vector3d::Zero();
   countStreak(ball, t);
   if ((ball.crush > kHopelessCrush && body.moving) ||

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "contact_mode.h"
+#include "geometry/feature.h"
+
 namespace ping_pong
 {
 namespace
@@ -22,17 +25,64 @@ bool liesStill(const BallRecord& ball)
   return ball.path.degree == 0;
 }
 
+// Planes that the ball lies on: a shape that is below one of them, flush with it at most, is not hit as long as the path holds.
+class Planes
+{
+public:
+  Planes(const WorldState& world, const BallRecord& ball, double t)
+  {
+    for (std::size_t i = 0; i < ball.supports.count(); ++i) add(world, ball, ball.supports[i], t);
+  }
+  /// @param shape  in the frame of the body if that moves, else in W
+  bool cover(std::size_t body, bool moving, const Shape& shape) const
+  {
+    for (std::size_t i = 0; i < count_; ++i)
+      if ((moving ? list_[i].body == body : !list_[i].moving) && supportDistance(shape, list_[i].n) <= list_[i].height) return true;
+    return false;
+  }
+
+private:
+  struct Plane
+  {
+    std::size_t body;
+    bool moving;
+    Vector3d n;     // in the frame of the body if that moves, else in W
+    double height;  // above its origin, along n [m]
+  };
+
+  void add(const WorldState& world, const BallRecord& ball, const Supports::Surface& support, double t)
+  {
+    const BodyRecord& body = world.bodies[support.body];
+    const Shape& shape = body.shapes()[support.shape];
+    Vector3d p = ball.path.position(t - ball.path.start);
+    if (body.moving)
+    {
+      const Pose X_WB = body.motion.poseAt(t - body.motion.start);
+      p = X_WB.q.conjugate() * (p - X_WB.p);
+    }
+    const Feature feature = featureAt(shape, p);
+    if (!flat(shape, feature)) return;
+    const Proximity near = proximity(shape, feature, p);
+    list_[count_++] = {support.body, body.moving, near.normal,
+                       near.normal.dot(p) - near.distance + flushTolerance(p, ball.params().radius)};
+  }
+
+  std::array<Plane, Supports::kMax> list_;
+  std::size_t count_ = 0;
+};
+
 // `search(shape, from, until)` finds the first contact with a shape of this body.
 template <typename Search>
-void lookAtShape(const BallRecord& ball, const BodyRecord& body, std::size_t b, std::size_t s, double t, double until,
-                 const Search& search, Event& next)
+void lookAtShape(const BallRecord& ball, const BodyRecord& body, std::size_t b, std::size_t s, const Planes& planes, double t,
+                 double until, const Search& search, Event& next)
 {
-  if (ball.supports.has(b, s)) return;
-  const Detection found = search(ball.supports.passesUntil(b, s, t), std::min(until, next.time));
+  if (ball.supports.has(b, s) || planes.cover(b, body.moving, body.shapes()[s])) return;
+  const Detection found = search(t, std::min(until, next.time));
   if (found.time < next.time) next = toEvent(found, Event::Kind::HitBody, b, s, body.version);
 }
 
-void lookAtStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, double t, const Box& way, Event& next)
+void lookAtStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t, const Box& way,
+                     Event& next)
 {
   for (std::size_t s = 0; s < body.placed.size(); ++s)
   {
@@ -40,18 +90,19 @@ void lookAtStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t
     const auto search = [&](double from, double until) {
       return firstContact(ball.path, ball.params().radius, body.placed[s], from, until);
     };
-    lookAtShape(ball, body, b, s, t, kNever, search, next);
+    lookAtShape(ball, body, b, s, planes, t, kNever, search, next);
   }
 }
 
-void lookAtMovingBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, double t, double until, Event& next)
+void lookAtMovingBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t, double until,
+                      Event& next)
 {
   for (std::size_t s = 0; s < body.body.shapes.size(); ++s)
   {
     const auto search = [&](double from, double before) {
       return firstContact(ball.path, ball.params().radius, body.body.shapes[s], body.motion, from, before);
     };
-    lookAtShape(ball, body, b, s, t, until, search, next);
+    lookAtShape(ball, body, b, s, planes, t, until, search, next);
   }
 }
 
@@ -82,8 +133,9 @@ void foresee(WorldState& world, std::size_t i, double t)
   Box way = boxOf(ball, t, ball.next.time);
   way.low.array() -= kSlack;
   way.high.array() += kSlack;
+  const Planes planes(world, ball, t);
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
-    if (!world.bodies[b].moving) lookAtStillBody(ball, world.bodies[b], b, t, way, ball.next);
+    if (!world.bodies[b].moving) lookAtStillBody(ball, world.bodies[b], b, planes, t, way, ball.next);
 }
 
 void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end,
@@ -106,8 +158,9 @@ void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end
 {
   BallRecord& ball = world.balls[i];
   Event next;
+  const Planes planes(world, ball, t);
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
-    if (world.bodies[b].moving && !ball.away()) lookAtMovingBody(ball, world.bodies[b], b, t, window_end, next);
+    if (world.bodies[b].moving && !ball.away()) lookAtMovingBody(ball, world.bodies[b], b, planes, t, window_end, next);
   if (next.time < kNever)
     ball.passing.make().moving = next;
   else if (ball.meetsBall() < kNever)

@@ -4,6 +4,7 @@
 
 #include "contact_mode.h"
 #include "foresight.h"
+#include "ping_pong_sim/evolve.h"
 
 namespace ping_pong
 {

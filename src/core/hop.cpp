@@ -74,7 +74,6 @@ void setPath(BallRecord& ball, const Vector3d& p, const Vector3d& v, double t)
   ball.path.c[0] = p;
   ball.path.c[1] = v;
   ++ball.version;
-  ball.supports.passNone();
 }
 
 void foreseeHop(WorldState& world, std::size_t i, const Ground& ground, double t)

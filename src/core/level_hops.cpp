@@ -61,7 +61,6 @@ void flyOn(BallRecord& ball, const Flight1& now, double t, std::size_t hops)
   path.c[0] = placeOf(now);
   path.c[1] = {path.c[1].x() + 0.0, path.c[1].y() + 0.0, now.v};  // no -0, as in hop.cpp
   ball.version += static_cast<std::uint32_t>(hops);
-  ball.supports.passNone();
   ball.next.time = t;
 }
 

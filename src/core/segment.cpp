@@ -27,16 +27,47 @@ Vector3d Segment::spin(double s) const
   const double decay = spinDecay();
   if (decay > 0.0) count(Law::SpinDecay);
   const Vector3d w = decay > 0.0 ? Vector3d(std::exp(-decay * s) * w_WB) : w_WB;
-  return w + s * alpha_WB();
+  if (!further || !further->spin) return w + s * alpha_WB();
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t k = further->spin->c.size(); k-- > 0;) sum = sum * s + further->spin->c[k];
+  return w + s * (further->alpha_WB + s * sum);
+}
+
+namespace
+{
+constexpr double kTurnAtATime = 0.2;  // [rad]
+constexpr double kMostTurns = 64.0;
+
+// Orientation where the axis of the spin moves: fourth-order Magnus series at two Gauss points (Iserles and Norsett 1999), in
+// steps of a small turn.
+Quaterniond turnedAboutMovingAxis(const Segment& path, double s)
+{
+  const double turn = std::max(path.spin(0.0).norm(), path.spin(s).norm()) * s;
+  const double steps = std::min(kMostTurns, std::ceil(turn / kTurnAtATime) + 1.0);
+  const double h = s / steps, offset = h * std::sqrt(3.0) / 6.0;
+  Quaterniond q = path.q_WB;
+  for (double step = 0.0; step < steps; step += 1.0)
+  {
+    const double middle = (step + 0.5) * h;
+    const Vector3d w1 = path.spin(middle - offset), w2 = path.spin(middle + offset);
+    q = turned(q, 0.5 * h * (w1 + w2) + 0.5 * offset * h * w2.cross(w1), 1.0);
+  }
+  return q;
+}
+}  // namespace
+
+Quaterniond Segment::orientation(double s) const
+{
+  const Vector3d alpha = alpha_WB();
+  if ((further && further->spin) || !alpha.cross(w_WB).isZero(0.0)) return turnedAboutMovingAxis(*this, s);
+  return turned(q_WB, turn_WB() + turnIn(w_WB, spinDecay(), s) + (0.5 * s * s) * alpha, 1.0);
 }
 
 BallState Segment::state(double s) const
 {
-  const Vector3d turned_before = turn_WB(), alpha = alpha_WB();
-  if (w_WB.isZero(0.0) && alpha.isZero(0.0) && turned_before.isZero(0.0)) return {position(s), q_WB, velocity(s), w_WB};
-  // Exact where the axis keeps its direction; a ball that starts to roll while it spins about the normal turns nearly so.
-  const Vector3d turn = turned_before + turnIn(w_WB, spinDecay(), s) + (0.5 * s * s) * alpha;
-  return {position(s), turned(q_WB, turn, 1.0), velocity(s), spin(s)};
+  const bool turns = further && (further->spin || !further->alpha_WB.isZero(0.0) || !further->turn_WB.isZero(0.0));
+  if (w_WB.isZero(0.0) && !turns) return {position(s), q_WB, velocity(s), w_WB};
+  return {position(s), orientation(s), velocity(s), spin(s)};
 }
 
 namespace

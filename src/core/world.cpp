@@ -9,6 +9,7 @@
 #include "handover.h"
 #include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/drive.h"
+#include "ping_pong_sim/evolve.h"
 #include "placement.h"
 #include "take_memory.h"
 #include "world_state.h"

@@ -1,0 +1,299 @@
+#include "resting/contact_problem.h"
+
+#include <Eigen/QR>
+#include <cmath>
+#include <limits>
+
+#include "count.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr int kMaxSweeps = 4000;
+constexpr double kConverged = 1e-15;  // change of a force in a sweep, as a part of the scale
+constexpr double kGoodEnough = 1e-9;  // where sweeps do not end for rounding or slowly
+constexpr double kRounding = 1e-11;   // accelerations below this part of the scale are none
+constexpr double kInsideLimit = 1.0 - 1e-9;
+
+Vector3d limited(const Vector3d& f, double most)
+{
+  const double norm = f.norm();
+  return norm > most ? Vector3d(most / norm * f) : f;
+}
+
+// The state of one solution under way.
+struct Sweeper
+{
+  const ContactProblem& problem;
+  BallAcceleration& motion;
+  SupportForces& forces;
+  double change = 0.0;
+
+  void note(double by) { change = std::max(change, by); }
+
+  void push(std::size_t i, SupportForce& force)
+  {
+    const SupportPoint& at = problem.at[i];
+    const double load = std::max(0.0, force.load + at.least - at.n.dot(motion.a));
+    note(std::abs(load - force.load));
+    motion.a += (load - force.load) * at.n;
+    force.load = load;
+  }
+
+  void rub(std::size_t i, SupportForce& force)
+  {
+    const SupportMode& mode = problem.mode[i];
+    if (mode.slip == Resistance::None) return;
+    const SupportPoint& at = problem.at[i];
+    const double limit = frictionLimit(*problem.law[i], force.load);
+    Vector3d f;
+    if (mode.slip == Resistance::Slips)
+      f = -limit * mode.slip_direction;
+    else
+    {
+      const Vector3d rate = tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias;
+      f = limited(force.friction - rate / (1.0 + 1.0 / problem.k), limit);
+    }
+    const Vector3d more = f - force.friction;
+    note(more.norm());
+    motion.a += more;
+    motion.b -= at.n.cross(more) / problem.k;
+    force.friction = f;
+  }
+
+  void resistRoll(std::size_t i, SupportForce& force)
+  {
+    const SupportMode& mode = problem.mode[i];
+    if (mode.roll == Resistance::None) return;
+    const SupportPoint& at = problem.at[i];
+    const double limit = rollLimit(*problem.law[i], problem.k, force.load);
+    const Vector3d torque = mode.roll == Resistance::Slips
+                                ? Vector3d(-limit * mode.roll_direction)
+                                : limited(force.roll - tangentialTo(at.n, motion.b) - at.roll_bias, limit);
+    note((torque - force.roll).norm());
+    motion.b += torque - force.roll;
+    force.roll = torque;
+  }
+
+  void resistSpin(std::size_t i, SupportForce& force)
+  {
+    const SupportMode& mode = problem.mode[i];
+    if (mode.spin == Resistance::None) return;
+    const SupportPoint& at = problem.at[i];
+    const double limit = spinLimit(*problem.law[i], problem.k, force.load);
+    const double wanted = force.spin - at.n.dot(motion.b) - at.spin_bias;
+    const double torque =
+        mode.spin == Resistance::Slips ? -limit * mode.spin_direction : std::max(-limit, std::min(wanted, limit));
+    note(std::abs(torque - force.spin));
+    motion.b += (torque - force.spin) * at.n;
+    force.spin = torque;
+  }
+
+  void sweep()
+  {
+    change = 0.0;
+    for (std::size_t i = 0; i < problem.count; ++i)
+    {
+      push(i, forces[i]);
+      rub(i, forces[i]);
+      resistRoll(i, forces[i]);
+      resistSpin(i, forces[i]);
+    }
+  }
+};
+
+// --- known modes: linear equations for the unknown forces ---
+
+constexpr int kMost = 6 * kMaxSupports;
+using Equations = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMost, kMost>;
+using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMost, 1>;
+using Effect = Eigen::Matrix<double, 6, 1>;  // on (a, b)
+using Effects = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, kMost>;
+
+Effect effectOfForce(const Vector3d& n, const Vector3d& f, double k)
+{
+  Effect effect;
+  effect << f, -n.cross(f) / k;
+  return effect;
+}
+
+Effect effectOfTorque(const Vector3d& torque)
+{
+  Effect effect;
+  effect << Vector3d::Zero(), torque;
+  return effect;
+}
+
+struct LinearProblem
+{
+  Effects rows, columns;  // row.(a, b) = wanted; a column is what one unknown does
+  Unknowns wanted;
+  int count = 0;
+
+  void add(const Effect& row, double its_wanted, const Effect& column)
+  {
+    rows.col(count) = row;
+    columns.col(count) = column;
+    wanted[count++] = its_wanted;
+  }
+};
+
+// What the load of a support does, together with all resistances that are at their limits.
+Effect effectOfLoad(const ContactProblem& problem, std::size_t i)
+{
+  const SupportMode& mode = problem.mode[i];
+  const Surface& law = *problem.law[i];
+  const Vector3d& n = problem.at[i].n;
+  Effect effect;
+  effect << n, Vector3d::Zero();
+  if (mode.slip == Resistance::Slips) effect += effectOfForce(n, -law.friction * mode.slip_direction, problem.k);
+  if (mode.roll == Resistance::Slips) effect += effectOfTorque(-rollLimit(law, problem.k, 1.0) * mode.roll_direction);
+  if (mode.spin == Resistance::Slips) effect += effectOfTorque(-spinLimit(law, problem.k, 1.0) * mode.spin_direction * n);
+  return effect;
+}
+
+void addSupport(const ContactProblem& problem, std::size_t i, LinearProblem& linear)
+{
+  const SupportPoint& at = problem.at[i];
+  const SupportMode& mode = problem.mode[i];
+  Effect row;
+  row << at.n, Vector3d::Zero();
+  linear.add(row, at.least, effectOfLoad(problem, i));
+  const Vector3d e1 = at.n.unitOrthogonal();
+  const std::array<Vector3d, 2> tangents{e1, at.n.cross(e1)};
+  if (mode.slip == Resistance::Holds)
+    for (const Vector3d& e : tangents)
+    {
+      row << e, -at.n.cross(e);  // e.(a - b x n)
+      linear.add(row, -e.dot(at.slip_bias), effectOfForce(at.n, e, problem.k));
+    }
+  if (mode.roll == Resistance::Holds)
+    for (const Vector3d& e : tangents) linear.add(effectOfTorque(e), -e.dot(at.roll_bias), effectOfTorque(e));
+  if (mode.spin == Resistance::Holds) linear.add(effectOfTorque(at.n), -at.spin_bias, effectOfTorque(at.n));
+}
+
+// The commonest case, one support without rolling resistance or spin friction, has a closed form.
+bool onOne(const ContactProblem& problem, BallAcceleration& motion)
+{
+  const SupportMode& mode = problem.mode[0];
+  if (problem.count != 1 || mode.roll != Resistance::None || mode.spin != Resistance::None) return false;
+  motion = problem.free;
+  if (!mode.loaded) return true;
+  const SupportPoint& at = problem.at[0];
+  const double load = at.least - at.n.dot(motion.a);
+  motion.a += load * at.n;
+  if (mode.slip == Resistance::None) return true;
+  const Vector3d f = mode.slip == Resistance::Slips
+                         ? Vector3d(-problem.law[0]->friction * load * mode.slip_direction)
+                         : Vector3d(-(tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias) / (1.0 + 1.0 / problem.k));
+  motion.a += f;
+  motion.b -= at.n.cross(f) / problem.k;
+  return true;
+}
+
+Resistance kindOf(double force, double limit, double rate, double slack)
+{
+  return force < kInsideLimit * limit || rate <= slack ? Resistance::Holds : Resistance::Slips;
+}
+}  // namespace
+
+double frictionLimit(const Surface& law, double load) { return load > 0.0 ? law.friction * load : 0.0; }
+
+double rollLimit(const Surface& law, double k, double load)
+{
+  return load > 0.0 ? (1.0 + k) / k * law.rolling_resistance * load : 0.0;
+}
+
+double spinLimit(const Surface& law, double k, double load) { return load > 0.0 ? law.spin_friction / k * load : 0.0; }
+
+double scaleOf(const ContactProblem& problem)
+{
+  double scale = problem.free.a.norm() + problem.free.b.norm();
+  for (std::size_t i = 0; i < problem.count; ++i)
+    scale = std::max({scale, std::abs(problem.at[i].least), problem.at[i].slip_bias.norm(), problem.at[i].roll_bias.norm(),
+                      std::abs(problem.at[i].spin_bias)});
+  return scale;
+}
+
+bool findForces(const ContactProblem& problem, BallAcceleration& motion, SupportForces& forces)
+{
+  for (std::size_t i = 0; i < problem.count; ++i)
+    if (problem.mode[i].slip != Resistance::None) count(Law::Friction);
+  const double scale = scaleOf(problem);
+  motion = problem.free;
+  for (std::size_t i = 0; i < problem.count; ++i) forces[i] = SupportForce();
+  Sweeper sweeper{problem, motion, forces};
+  for (int i = 0; i < kMaxSweeps; ++i)
+  {
+    sweeper.sweep();
+    if (sweeper.change <= kConverged * scale) return true;
+    if (!(sweeper.change < 1e9 * scale)) return false;
+  }
+  return sweeper.change <= kGoodEnough * scale;
+}
+
+std::array<SupportMode, kMaxSupports> modesOf(const ContactProblem& problem, const BallAcceleration& motion,
+                                              const SupportForces& forces)
+{
+  std::array<SupportMode, kMaxSupports> modes = problem.mode;
+  const double slack = kRounding * scaleOf(problem);
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    const SupportPoint& at = problem.at[i];
+    const Surface& law = *problem.law[i];
+    const SupportForce& force = forces[i];
+    SupportMode& mode = modes[i];
+    mode.loaded = force.load > slack;
+    if (!mode.loaded)
+    {
+      mode.slip = mode.roll = mode.spin = Resistance::None;
+      continue;
+    }
+    if (mode.slip == Resistance::Holds)
+    {
+      const Vector3d rate = tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias;
+      mode.slip = kindOf(force.friction.norm(), frictionLimit(law, force.load), rate.norm(), slack);
+      if (mode.slip == Resistance::Slips) mode.slip_direction = rate.normalized();
+    }
+    if (mode.roll == Resistance::Holds)
+    {
+      const Vector3d rate = tangentialTo(at.n, motion.b) + at.roll_bias;
+      mode.roll = kindOf(force.roll.norm(), rollLimit(law, problem.k, force.load), rate.norm(), slack);
+      if (mode.roll == Resistance::Slips) mode.roll_direction = rate.normalized();
+    }
+    if (mode.spin == Resistance::Holds)
+    {
+      const double rate = at.n.dot(motion.b) + at.spin_bias;
+      mode.spin = kindOf(std::abs(force.spin), spinLimit(law, problem.k, force.load), std::abs(rate), slack);
+      mode.spin_direction = std::copysign(1.0, rate);
+    }
+  }
+  return modes;
+}
+
+BallAcceleration accelerationInModes(const ContactProblem& problem)
+{
+  BallAcceleration motion;
+  if (onOne(problem, motion)) return motion;
+  LinearProblem linear;
+  linear.rows.resize(6, kMost);
+  linear.columns.resize(6, kMost);
+  linear.wanted.resize(kMost);
+  for (std::size_t i = 0; i < problem.count; ++i)
+    if (problem.mode[i].loaded) addSupport(problem, i, linear);
+  if (linear.count == 0) return problem.free;
+  Effect free;
+  free << problem.free.a, problem.free.b;
+  const auto rows = linear.rows.leftCols(linear.count);
+  const auto columns = linear.columns.leftCols(linear.count);
+  const Equations matrix = rows.transpose() * columns;
+  const Unknowns missing = linear.wanted.head(linear.count) - rows.transpose() * free;
+  Eigen::ColPivHouseholderQR<Equations> qr(matrix.rows(), matrix.cols());
+  qr.setThreshold(kRounding);  // several sticking contacts hold each other: forces that the motion does not feel
+  qr.compute(matrix);
+  const Unknowns forces = qr.solve(missing);
+  const Effect sum = free + columns * forces;
+  return {sum.head<3>(), sum.tail<3>()};
+}
+}  // namespace ping_pong

@@ -1,0 +1,260 @@
+#include "resting/held_ball.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "count.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr double kNoSpeed = 1e-12;    // rounding of speeds near 1 m/s [m/s]
+constexpr double kMostStopped = 1e2;  // faster than this times the grip time nothing is stopped within it [m/s^2]
+constexpr int kRounds = 4;            // of decisions: each lets something slip that could not be stopped
+constexpr int kGripRounds = 200;
+
+// A resistance before it is known what it can do.
+struct Candidate
+{
+  Resistance kind = Resistance::None;
+  bool stops = false;  // moves, but may be stopped within the grip time
+};
+
+Candidate candidateOf(bool named, double speed, double none, double grip_time)
+{
+  if (!named) return {};
+  if (speed <= none) return {Resistance::Holds, false};
+  if (speed <= kMostStopped * grip_time) return {Resistance::Holds, true};
+  return {Resistance::Slips, false};
+}
+
+Vector3d directionOf(const Vector3d& x) { return x.normalized(); }
+double directionOf(double x) { return x < 0.0 ? -1.0 : 1.0; }
+
+// One resistance of one support: where it is found in the problem, and whether it may be stopped.
+template <class Value>
+struct Channel
+{
+  Resistance& kind;
+  Value& direction;
+  Value& bias;
+  const Value& value;
+  bool stops;
+
+  void begin(const Candidate& candidate, double grip_time)
+  {
+    kind = candidate.kind;
+    stops = candidate.stops;
+    if (kind == Resistance::Slips) direction = directionOf(value);
+    if (stops) bias += value / grip_time;
+  }
+  // It moves on: it cannot be stopped.
+  bool letGo(Resistance found, double grip_time)
+  {
+    if (!stops || found != Resistance::Slips) return false;
+    kind = Resistance::Slips;
+    direction = directionOf(value);
+    bias -= value / grip_time;
+    stops = false;
+    return true;
+  }
+};
+
+struct Channels
+{
+  bool slip = false, roll = false, spin = false;  // may be stopped
+};
+
+Channel<Vector3d> slipOf(ContactProblem& problem, std::size_t i, bool stops)
+{
+  return {problem.mode[i].slip, problem.mode[i].slip_direction, problem.at[i].slip_bias, problem.at[i].slip, stops};
+}
+Channel<Vector3d> rollOf(ContactProblem& problem, std::size_t i, bool stops)
+{
+  return {problem.mode[i].roll, problem.mode[i].roll_direction, problem.at[i].roll_bias, problem.at[i].roll, stops};
+}
+Channel<double> spinOf(ContactProblem& problem, std::size_t i, bool stops)
+{
+  return {problem.mode[i].spin, problem.mode[i].spin_direction, problem.at[i].spin_bias, problem.at[i].spin, stops};
+}
+
+using AllChannels = std::array<Channels, kMaxSupports>;
+
+AllChannels beginModes(ContactProblem& problem, double none, double grip_time)
+{
+  AllChannels stops;
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    const Surface& law = *problem.law[i];
+    const SupportPoint& at = problem.at[i];
+    const bool rough = law.friction > 0.0;
+    auto slip = slipOf(problem, i, false);
+    slip.begin(candidateOf(rough, at.slip.norm(), none, grip_time), grip_time);
+    auto roll = rollOf(problem, i, false);
+    roll.begin(candidateOf(rough && law.rolling_resistance > 0.0, at.roll.norm(), none, grip_time), grip_time);
+    auto spin = spinOf(problem, i, false);
+    spin.begin(candidateOf(rough && law.spin_friction > 0.0, std::abs(at.spin), none, grip_time), grip_time);
+    stops[i] = {slip.stops, roll.stops, spin.stops};
+  }
+  return stops;
+}
+
+// Lets go of what could not be stopped; true if there was any.
+bool letGo(ContactProblem& problem, const std::array<SupportMode, kMaxSupports>& found, AllChannels& stops, double grip_time)
+{
+  bool any = false;
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    auto slip = slipOf(problem, i, stops[i].slip);
+    any |= slip.letGo(found[i].slip, grip_time);
+    auto roll = rollOf(problem, i, stops[i].roll);
+    any |= roll.letGo(found[i].roll, grip_time);
+    auto spin = spinOf(problem, i, stops[i].spin);
+    any |= spin.letGo(found[i].spin, grip_time);
+    stops[i] = {slip.stops, roll.stops, spin.stops};
+  }
+  return any;
+}
+
+bool anyStops(const AllChannels& stops, const ContactProblem& problem)
+{
+  for (std::size_t i = 0; i < problem.count; ++i)
+    if (problem.mode[i].loaded && (stops[i].slip || stops[i].roll || stops[i].spin)) return true;
+  return false;
+}
+
+void countResistances(const ContactProblem& problem)
+{
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    if (problem.mode[i].roll != Resistance::None) count(Law::RollingResistance);
+    if (problem.mode[i].spin != Resistance::None) count(Law::SpinFriction);
+  }
+}
+// A resistance that slips is used up after this time, at its present rate.
+double usedUpAfter(double speed, double rate) { return rate < 0.0 ? -speed / rate : kNever; }
+
+}  // namespace
+
+HeldBall heldBall(const WorldState& world, const BallRecord& ball, const Vector3d& p_WB, double t)
+{
+  HeldBall held{ball.model(), ball.params().radius, ball.params().inertia, ball.supports.count(), {}};
+  for (std::size_t i = 0; i < held.count; ++i)
+  {
+    const Supports::Surface& support = ball.supports[i];
+    const BodyRecord& body = world.bodies[support.body];
+    SupportSurface& surface = held.surface[i];
+    surface.shape = &body.shapes()[support.shape];
+    surface.law = &world.surface(ball, *surface.shape);
+    surface.motion = &body.frame();
+    surface.still = !body.moving;
+    surface.turning = body.moving && body.motion.turning();
+    const Pose X_WB = body.moving ? body.motion.poseAt(t - body.motion.start) : Pose();
+    surface.feature = featureAt(*surface.shape, body.moving ? X_WB.q.conjugate() * (p_WB - X_WB.p) : p_WB);
+    surface.flat = flat(*surface.shape, surface.feature);
+  }
+  return held;
+}
+
+BallMotion motionOf(const BallState& state, double radius) { return {state.p_WB, state.v_WB, radius * state.w_WB}; }
+
+ContactProblem problemAt(const HeldBall& held, const BallMotion& ball, double t)
+{
+  ContactProblem problem;
+  problem.count = held.count;
+  problem.k = held.k;
+  problem.free.a = held.model.acceleration(ball.v, ball.s / held.radius);
+  problem.free.b = -held.model.spinDecay() * ball.s;
+  for (std::size_t i = 0; i < held.count; ++i)
+  {
+    problem.law[i] = held.surface[i].law;
+    problem.at[i] = supportPoint(held.surface[i], ball, held.radius, t);
+  }
+  return problem;
+}
+
+Decision decide(const HeldBall& held, const BallMotion& ball, double t, double grip_time)
+{
+  Decision decision{problemAt(held, ball, t), {}, {}};
+  ContactProblem& problem = decision.problem;
+  AllChannels stops = beginModes(problem, noSpeed(ball), grip_time);
+  countResistances(problem);
+  for (int round = 0; round < kRounds; ++round)
+  {
+    decision.answered = findForces(problem, decision.motion, decision.forces);
+    const std::array<SupportMode, kMaxSupports> found = modesOf(problem, decision.motion, decision.forces);
+    if (letGo(problem, found, stops, grip_time)) continue;
+    problem.mode = found;
+    break;
+  }
+  decision.stops = anyStops(stops, problem);
+  return decision;
+}
+
+bool modesHold(const HeldBall& held, const ContactProblem& decided, const BallMotion& ball, double t)
+{
+  ContactProblem problem = problemAt(held, ball, t);
+  for (std::size_t i = 0; i < held.count; ++i)
+  {
+    // What carries no load may carry one now.
+    SupportMode& mode = problem.mode[i];
+    mode = decided.mode[i];
+    if (!mode.loaded && held.surface[i].law->friction > 0.0) mode.slip = Resistance::Holds;
+    const SupportPoint& at = problem.at[i];
+    if (mode.slip == Resistance::Slips && at.slip.norm() > noSpeed(ball)) mode.slip_direction = at.slip.normalized();
+    if (mode.roll == Resistance::Slips && at.roll.norm() > noSpeed(ball)) mode.roll_direction = at.roll.normalized();
+  }
+  BallAcceleration motion;
+  SupportForces forces;
+  if (!findForces(problem, motion, forces)) return false;
+  const std::array<SupportMode, kMaxSupports> found = modesOf(problem, motion, forces);
+  for (std::size_t i = 0; i < held.count; ++i)
+    if (!found[i].sameAs(decided.mode[i])) return false;
+  return true;
+}
+
+double slipsFor(const Decision& decision)
+{
+  const ContactProblem& problem = decision.problem;
+  const BallAcceleration& motion = decision.motion;
+  double first = kNever;
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    const SupportPoint& at = problem.at[i];
+    const SupportMode& mode = problem.mode[i];
+    const Vector3d slip_rate = tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias;
+    const Vector3d roll_rate = tangentialTo(at.n, motion.b) + at.roll_bias;
+    if (mode.slip == Resistance::Slips) first = std::min(first, usedUpAfter(at.slip.norm(), mode.slip_direction.dot(slip_rate)));
+    if (mode.roll == Resistance::Slips) first = std::min(first, usedUpAfter(at.roll.norm(), mode.roll_direction.dot(roll_rate)));
+    if (mode.spin == Resistance::Slips)
+      first = std::min(first, usedUpAfter(std::abs(at.spin), mode.spin_direction * (at.n.dot(motion.b) + at.spin_bias)));
+  }
+  return first;
+}
+
+void gripAtOnce(const HeldBall& held, BallMotion& ball, double t, bool all)
+{
+  const double none = noSpeed(ball);
+  for (int round = 0; round < kGripRounds; ++round)
+  {
+    double change = 0.0;
+    for (std::size_t i = 0; i < held.count; ++i)
+    {
+      const SupportPoint at = supportPoint(held.surface[i], ball, held.radius, t);
+      ball.v -= std::min(at.rate, 0.0) * at.n;
+      const double friction = held.surface[i].law->friction;
+      const bool grips = all ? friction > 0.0 : friction == std::numeric_limits<double>::infinity();
+      if (!grips) continue;
+      const Vector3d f = -at.slip / (1.0 + 1.0 / held.k);
+      ball.v += f;
+      ball.s -= at.n.cross(f) / held.k;
+      change = std::max(change, f.norm());
+    }
+    if (change <= 1e-3 * none) return;
+  }
+}
+
+double noSpeed(const BallMotion& ball) { return kNoSpeed * (1.0 + ball.v.norm() + ball.s.norm()); }
+}  // namespace ping_pong

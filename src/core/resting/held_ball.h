@@ -1,0 +1,51 @@
+// A ball held by its supports: the contact problem at an instant, and the modes that hold from then on.
+#pragma once
+
+#include "resting/contact_problem.h"
+#include "world_state.h"
+
+namespace ping_pong
+{
+/// What stays the same while a path is laid.
+struct HeldBall
+{
+  const FlightModel& model;
+  double radius;  ///< [m]
+  double k;       ///< inertia, I / (m r^2)
+  std::size_t count = 0;
+  std::array<SupportSurface, kMaxSupports> surface;
+};
+
+/// The supports of a ball at world time t, each with the feature that the ball is on.
+HeldBall heldBall(const WorldState& world, const BallRecord& ball, const Vector3d& p_WB, double t);
+
+BallMotion motionOf(const BallState& state, double radius);
+
+/// The contact problem without modes.
+ContactProblem problemAt(const HeldBall& held, const BallMotion& ball, double t);
+
+/// Modes at an instant, and what they make of the motion.
+struct Decision
+{
+  ContactProblem problem;
+  BallAcceleration motion;
+  SupportForces forces;
+  bool stops = false;     ///< a slip, a roll or a spin ends within the grip time
+  bool answered = true;   ///< else nothing that Coulomb's law allows
+};
+
+/// @param grip_time  what can be brought to rest within this time is [s]
+Decision decide(const HeldBall& held, const BallMotion& ball, double t, double grip_time);
+
+/// Whether modes that were decided before are still the ones, now: what slipped slips, and what held holds.
+bool modesHold(const HeldBall& held, const ContactProblem& decided, const BallMotion& ball, double t);
+
+/// After how long the first thing that slips comes to rest, at its present rate; kNever if none does [s].
+double slipsFor(const Decision& decision);
+
+/// Brings contacts without a limit of friction, or all rough ones, to grip at once, as by an impulse: energy falls.
+void gripAtOnce(const HeldBall& held, BallMotion& ball, double t, bool all);
+
+/// Slower than this is at rest: rounding [m/s].
+double noSpeed(const BallMotion& ball);
+}  // namespace ping_pong

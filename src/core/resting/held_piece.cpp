@@ -1,0 +1,184 @@
+#include "resting/held_piece.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evolve/gauss_points.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr int kNodes = 8;
+constexpr int kMaxSweeps = 40;
+constexpr double kFirstTry = 5e-3;     // [s]
+constexpr double kLongestPiece = 0.1;  // [s]
+constexpr double kBeforeRest = 0.9;    // of the time until a slip ends: its direction may change fast at the end
+constexpr double kEndOfBisection = 1e-13;  // [s]
+constexpr int kLooks = 4;              // at a piece, for what ends it
+
+using Rates = Eigen::Matrix<double, kNodes, 6>;   // (a, b) at the nodes
+using Speeds = Eigen::Matrix<double, kNodes, 6>;  // (v, s) at the nodes
+using Places = Eigen::Matrix<double, kNodes, 3>;
+
+const GaussPoints<kNodes>& gaussPoints()
+{
+  static const GaussPoints<kNodes> points;
+  return points;
+}
+
+template <class Value>
+void turnAlong(Resistance kind, const Value& value, double none, Value& direction)
+{
+  if (kind == Resistance::Slips && value.norm() > none) direction = value.normalized();
+}
+
+// The modes of the start at a later instant. What rounding, or a stop, has left of held speeds ends with the piece.
+BallAcceleration accelerationAt(const HeldBall& held, const ContactProblem& start, const BallMotion& ball, double t, double h)
+{
+  ContactProblem problem = problemAt(held, ball, t);
+  const double none = noSpeed(ball);
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    SupportPoint& at = problem.at[i];
+    SupportMode& mode = problem.mode[i];
+    mode = start.mode[i];
+    turnAlong(mode.slip, at.slip, none, mode.slip_direction);
+    turnAlong(mode.roll, at.roll, none, mode.roll_direction);
+    if (mode.slip == Resistance::Holds) at.slip_bias += start.at[i].slip / h;
+    if (mode.roll == Resistance::Holds) at.roll_bias += start.at[i].roll / h;
+    if (mode.spin == Resistance::Holds) at.spin_bias += start.at[i].spin / h;
+  }
+  return accelerationInModes(problem);
+}
+
+void layThrough(const Rates& rates, double h, double radius, Segment& path)
+{
+  const Rates b = gaussPoints().to_powers * rates;
+  path.degree = kNodes + 1;
+  FurtherTerms& further = path.further.make();
+  SpinTerms& spin = further.spin.make();
+  double power = 1.0;  // h^k, as the coefficients are of tau = s / h
+  for (int k = 0; k < kNodes; ++k, power *= h)
+  {
+    path.coefficient(k + 2) = b.row(k).head<3>().transpose() / (power * (k + 1) * (k + 2));
+    const Vector3d w = b.row(k).tail<3>().transpose() / (power * (k + 1) * radius);
+    if (k == 0)
+      further.alpha_WB = w;
+    else
+      spin.c[k - 1] = w;
+  }
+  path.end = path.start + h;
+}
+
+// One piece of length h; false if its error is above the tolerance, or the sweeps do not end. `excess` is error / tolerance.
+bool collocate(const HeldBall& held, const Decision& decision, const BallMotion& ball, double t, double h, double tolerance,
+               Segment& path, double& excess)
+{
+  const GaussPoints<kNodes>& points = gaussPoints();
+  Eigen::Matrix<double, 1, 6> start, first;
+  start << ball.v.transpose(), ball.s.transpose();
+  first << decision.motion.a.transpose(), decision.motion.b.transpose();
+  Rates rates = first.replicate<kNodes, 1>();
+  Speeds speeds = (h * (points.integral * rates)).rowwise() + start;
+  const double rounding = 1e-15 * (start.norm() + h * first.norm());
+  double before = 0.0;
+  for (int sweep = 0;; ++sweep)
+  {
+    const Places places =
+        (h * points.nodes * ball.v.transpose() + (h * h) * (points.double_integral * rates.leftCols<3>())).rowwise() + ball.p.transpose();
+    for (int i = 0; i < kNodes; ++i)
+    {
+      const BallMotion at{places.row(i).transpose(), speeds.row(i).head<3>().transpose(), speeds.row(i).tail<3>().transpose()};
+      const BallAcceleration now = accelerationAt(held, decision.problem, at, t + h * points.nodes[i], h);
+      rates.row(i) << now.a.transpose(), now.b.transpose();
+    }
+    const Speeds next = (h * (points.integral * rates)).rowwise() + start;
+    const double change = (next - speeds).cwiseAbs().maxCoeff();
+    speeds = next;
+    if (change * std::min(1.0, change / before) <= 0.01 * tolerance || change <= rounding) break;
+    if (sweep == kMaxSweeps || !(change < 1e6) || (sweep > 6 && change > before))
+    {
+      excess = 1e6;
+      return false;
+    }
+    before = change;
+  }
+  excess = errorOf<kNodes>(rates, h, points) / tolerance;
+  if (!(excess <= 1.0)) return false;
+  layThrough(rates, h, held.radius, path);
+  return true;
+}
+
+BallMotion motionOn(const Segment& path, double s, double radius)
+{
+  return {path.position(s), path.velocity(s), radius * path.spin(s)};
+}
+
+bool onAllFeatures(const HeldBall& held, const Vector3d& p_WB, double t)
+{
+  for (std::size_t i = 0; i < held.count; ++i)
+  {
+    const SupportSurface& surface = held.surface[i];
+    Vector3d p_BQ = p_WB;
+    if (!surface.still)
+    {
+      const Pose X_WB = surface.motion->poseAt(t - surface.motion->start);
+      p_BQ = X_WB.q.conjugate() * (p_WB - X_WB.p);
+    }
+    if (!onFeature(*surface.shape, surface.feature, p_BQ)) return false;
+  }
+  return true;
+}
+
+// First time on the piece, from its start, at which it no longer holds; h if it does to its end.
+double holdsFor(const HeldBall& held, const ContactProblem& decided, const Segment& path, double h)
+{
+  const auto holds = [&](double s)
+  {
+    const BallMotion ball = motionOn(path, s, held.radius);
+    return onAllFeatures(held, ball.p, path.start + s) && modesHold(held, decided, ball, path.start + s);
+  };
+  for (int look = 1; look <= kLooks; ++look)
+  {
+    double after = h * look / kLooks;
+    if (holds(after)) continue;
+    for (double before = h * (look - 1) / kLooks; after - before > kEndOfBisection + 1e-16 * path.start;)
+    {
+      const double middle = 0.5 * (before + after);
+      if (middle <= before || middle >= after) break;
+      (holds(middle) ? before : after) = middle;
+    }
+    return after;
+  }
+  return h;
+}
+}  // namespace
+
+void layHeldPiece(const HeldBall& held, const Decision& decision, const BallMotion& ball, double t, double longest,
+                  double tolerance, double shortest, Segment& path)
+{
+  FurtherTerms& further = path.further.make();
+  SpinTerms& spin = further.spin.make();
+  double h = std::min(spin.next_piece > 0.0 ? spin.next_piece : kFirstTry, kLongestPiece);
+  double wanted = h;  // if nothing else ends it
+  h = std::max(std::min({h, longest, kBeforeRest * slipsFor(decision)}), std::min(shortest, longest));
+  double excess = 1.0;
+  while (!collocate(held, decision, ball, t, h, tolerance, path, excess))
+  {
+    if (h <= shortest)  // nothing smooth is left to follow: the motion of this instant, for a moment
+    {
+      layThrough((Eigen::Matrix<double, 1, 6>() << decision.motion.a.transpose(), decision.motion.b.transpose()).finished().replicate<kNodes, 1>(),
+                 h, held.radius, path);
+      break;
+    }
+    h = std::max(shortest, h * std::max(0.1, 0.8 * std::pow(excess, -1.0 / (kNodes + 2))));
+    wanted = 0.0;
+  }
+  const double grown = h * std::min(3.0, 0.8 * std::pow(std::max(excess, 1e-8), -1.0 / (kNodes + 3)));
+  const double held_for = std::max(holdsFor(held, decision.problem, path, h), std::min(shortest, h));
+  // After the last look, what ended it tells little of the next piece.
+  spin.next_piece = held_for < h ? kFirstTry : std::max(grown, wanted);
+  path.end = t + held_for;
+}
+}  // namespace ping_pong
