@@ -8,11 +8,26 @@ add_library(${PROJECT_NAME}_stability STATIC EXCLUDE_FROM_ALL
   bench/stability/overlap.cpp
   bench/stability/air.cpp
   bench/stability/cases.cpp
+  bench/stability/stage.cpp
+  bench/stability/stages_corners.cpp
+  bench/stability/stages_seams.cpp
+  bench/stability/stages_round.cpp
+  bench/stability/stages_moving.cpp
+  bench/stability/touch.cpp
+  bench/stability/launch.cpp
+  bench/stability/random_scene.cpp
+  bench/stability/moment.cpp
+  bench/stability/contact_law.cpp
+  bench/stability/verdict.cpp
+  bench/stability/random_checks.cpp
+  bench/stability/random_report.cpp
+  bench/stability/watched.cpp
 )
 target_include_directories(${PROJECT_NAME}_stability PUBLIC bench/stability test/core)
 target_link_libraries(${PROJECT_NAME}_stability PUBLIC ${PROJECT_NAME}_core PRIVATE ${PROJECT_NAME}_options)
 
-add_executable(${PROJECT_NAME}_stability_map EXCLUDE_FROM_ALL bench/stability/main.cpp)
+add_executable(${PROJECT_NAME}_stability_map EXCLUDE_FROM_ALL
+  bench/stability/main.cpp bench/stability/random_main.cpp bench/stability/scene_files.cpp)
 target_link_libraries(${PROJECT_NAME}_stability_map PRIVATE ${PROJECT_NAME}_stability ${PROJECT_NAME}_options)
 set_target_properties(${PROJECT_NAME}_stability_map PROPERTIES OUTPUT_NAME stability)
 if(BENCH)

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "cases.h"
+#include "random_main.h"
 #include "situations.h"
 
 namespace ping_pong::stability
@@ -61,14 +62,12 @@ bool write(const std::string& path, void (*writer)(std::ostream&))
 int main(int argc, char** argv)
 {
   using namespace ping_pong::stability;
-  if (argc != 2)
-  {
-    std::cerr << "usage: stability DIRECTORY   writes stability.csv and tunnelling.csv there\n";
-    return 2;
-  }
-  const std::string directory = argv[1];
-  const bool written =
-      write(directory + "/stability.csv", writeMap) && write(directory + "/tunnelling.csv", writeShots);
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() != 1) return randomMain(arguments);
+  const std::string directory = arguments[0];
+  const bool written = write(directory + "/stability.csv", writeMap) &&
+                       write(directory + "/tunnelling.csv", writeShots) &&
+                       write(directory + "/random.csv", writeRandom);
   std::cerr << '\n';
   return written ? 0 : 1;
 }
