@@ -16,10 +16,12 @@ add_library(${PROJECT_NAME}_stability STATIC EXCLUDE_FROM_ALL
   bench/stability/touch.cpp
   bench/stability/launch.cpp
   bench/stability/random_scene.cpp
+  bench/stability/play.cpp
   bench/stability/moment.cpp
   bench/stability/contact_law.cpp
   bench/stability/verdict.cpp
   bench/stability/random_checks.cpp
+  bench/stability/impulse_agreement.cpp
   bench/stability/random_report.cpp
   bench/stability/watched.cpp
 )

@@ -8,6 +8,7 @@
 #include "contact_law.h"
 #include "moment.h"
 #include "ping_pong_sim/state_hash.h"
+#include "play.h"
 
 namespace ping_pong::stability
 {
@@ -22,18 +23,20 @@ constexpr double kSmallMoment = 1e-12;  // [s]
 // Part of forces that no law explains. In 0.1 ms directions turn by 1e-2 at most and their means stand for them to 1e-4; a
 // piece of path with an error of 1e-6 m over a second has forces true to some 1e-3.
 constexpr double kAgainstTheLaw = 5e-3;
-constexpr double kNoSlip = 1e-9;  // [m/s]; and what the tolerance permits: 1e-6 m in a second is 1e-6 m/s
+// Speeds and spins round at 1e-13 m/s, and bounces that no longer count are slower than 1e-5 m/s: a gripping one leaves a part e_t of its slip,
+// the ones after it a part of that. And what the tolerance permits: 1e-6 m in a second is 1e-6 m/s.
+constexpr double kNoSlip = 1e-8;  // [m/s]
 constexpr double kStill = 1e-9;   // [m/s]
 constexpr double kSurely = 0.99;  // of what can hold a ball
 
 class RandomRun
 {
 public:
-  RandomRun(const RandomScene& drawn, Scene scene, Scene whole)
-    : drawn_(drawn), scene_(scene), pull_(pullOf(scene)), world_(std::move(scene))
+  RandomRun(const RandomScene& drawn, Method method, double dt)
+    : drawn_(drawn), scene_(drawn.scene), pull_(pullOf(scene_)), play_(drawn, method, dt)
   {
-    if (!whole.bodies.empty()) whole_ = std::make_unique<World>(std::move(whole));
-    now_ = momentOf(world_, pull_);
+    if (drawn.hasWhole()) whole_ = std::make_unique<World>(withMethod(drawn.whole, method, dt));
+    now_ = momentOf(world(), pull_);
     lowest_ = now_.energy;
     for (std::size_t i = 1; i < scene_.materials.size(); ++i)
       bouncy_ |= scene_.surfaces.at(0, static_cast<MaterialId>(i)).restitution > 0.95;
@@ -45,7 +48,7 @@ public:
 private:
   bool tick(int number);
   bool step(double duration);
-  void command();
+  const World& world() const { return play_.world(); }
   const Surface& lawOf(const ShapeName& of) const
   {
     return scene_.surfaces.at(0, scene_.bodies[of.body].shapes[of.shape].material);
@@ -73,11 +76,10 @@ private:
   void note(Check check, double value, double bound) { verdict_.note(check, value, bound, now_.time); }
 
   const RandomScene& drawn_;
-  const Scene scene_;
+  const Scene& scene_;
   const Vector3d pull_;
-  World world_;
+  Play play_;
   std::unique_ptr<World> whole_;
-  std::size_t next_command_ = 0;
   Moment last_, now_;
   bool bouncy_ = false;   // a surface sends a ball back as fast as it comes, or nearly
   bool at_rest_ = false;  // at the start and the end of the last tick
@@ -214,8 +216,7 @@ void RandomRun::checkQuietTime()
 void RandomRun::countEvents(const StepStatus& status, double duration)
 {
   double closing = 0.0;
-  for (const Contact& contact : world_.contacts())
-    closing = std::max(closing, -contact.n_W.dot(contact.v_before - contact.v_other));
+  for (const Contact& contact : world().contacts()) closing = std::max(closing, closingOf(contact));
   const auto events = static_cast<double>(status.events);
   events_ += events;
   if (closing > kRealBounce)
@@ -237,7 +238,7 @@ void RandomRun::checkState()
   const BallState& ball = now_.ball;
   const bool finite = ball.p_WB.allFinite() && ball.v_WB.allFinite() && ball.w_WB.allFinite();
   if (!finite || !(std::abs(ball.q_WB.norm() - 1.0) < 1e-9)) verdict_.fault(Check::State, now_.time);
-  if (still() && world_.resting(0) && ball.v_WB.norm() > 0.0) verdict_.fault(Check::State, now_.time);
+  if (still() && world().resting(0) && ball.v_WB.norm() > 0.0) verdict_.fault(Check::State, now_.time);
 }
 
 double energyOver(const BallParams& ball, const Vector3d& v, const Vector3d& w)
@@ -258,8 +259,8 @@ void RandomRun::checkContact(const Contact& contact)
 void RandomRun::checkRecord(const StepStatus& status)
 {
   double earlier = last_.time - kSmallMoment;
-  if (world_.contacts().size() != status.contacts) verdict_.fault(Check::Record, now_.time);
-  for (const Contact& contact : world_.contacts())
+  if (world().contacts().size() != status.contacts) verdict_.fault(Check::Record, now_.time);
+  for (const Contact& contact : world().contacts())
   {
     if (!(contact.time >= earlier && contact.time <= now_.time + kSmallMoment))
       verdict_.fault(Check::Record, now_.time);
@@ -294,16 +295,6 @@ void RandomRun::checkDepth()
 
 // --- the run ---
 
-void RandomRun::command()
-{
-  for (; next_command_ < drawn_.commands.size(); ++next_command_)
-  {
-    const TimedCommand& next = drawn_.commands[next_command_];
-    if (next.time > world_.time() + kSmallMoment) return;
-    world_.command(next.body, next.command);
-  }
-}
-
 void RandomRun::checkSeam(double duration)
 {
   if (!whole_) return;
@@ -315,12 +306,11 @@ void RandomRun::checkSeam(double duration)
 // False if there is no going on.
 bool RandomRun::step(double duration)
 {
-  command();
   std::vector<Pose> poses;
-  for (std::size_t b = 0; b < world_.bodyCount(); ++b) poses.push_back(world_.bodyPose(b));
-  const StepStatus status = world_.advance(duration);
+  for (std::size_t b = 0; b < world().bodyCount(); ++b) poses.push_back(world().bodyPose(b));
+  const StepStatus status = play_.advance(duration);
   last_ = std::move(now_);
-  now_ = momentOf(world_, pull_);
+  now_ = momentOf(world(), pull_);
   checkState();
   countEvents(status, duration);
   checkRecord(status);
@@ -336,7 +326,7 @@ bool RandomRun::step(double duration)
     const double room = now_.around[i].gap + last_.around[i].gap + 2.0 * now_.radius;
     if (room > way && still()) continue;
     const double depth = deepestOnTheWay(scene_.bodies[of.body].shapes[of.shape], seen(poses[of.body], last_.ball.p_WB),
-                                         seen(world_.bodyPose(of.body), now_.ball.p_WB));
+                                         seen(world().bodyPose(of.body), now_.ball.p_WB));
     note(Check::Through, depth, 0.25 * now_.radius);
   }
   const bool contacts = status.contacts > 0;
@@ -354,7 +344,7 @@ bool RandomRun::tick(int number)
   if (!step(drawn_.tick - kProbe)) return false;
   const bool quiet = now_.held;
   if (!step(kProbe)) return false;
-  if (!quiet || !now_.held || !world_.contacts().empty()) return true;
+  if (!quiet || !now_.held || !world().contacts().empty()) return true;
   if (const std::optional<double> part = againstTheLaw(scene_, last_, now_)) note(Check::Law, *part, kAgainstTheLaw);
   return true;
 }
@@ -371,37 +361,23 @@ Verdict RandomRun::run()
 
 // --- the same again ---
 
-std::uint64_t hashAfter(const RandomScene& drawn, const Scene& scene)
+std::uint64_t hashAfter(const RandomScene& drawn, Method method, double dt)
 {
-  World world(scene);
-  std::size_t next = 0;
+  Play play(drawn, method, dt);
   const int ticks = static_cast<int>(std::lround(drawn.duration / drawn.tick));
   for (int i = 0; i < ticks; ++i)
-  {
-    for (; next < drawn.commands.size() && drawn.commands[next].time <= world.time() + kSmallMoment; ++next)
-      world.command(drawn.commands[next].body, drawn.commands[next].command);
-    if (!world.advance(drawn.tick).ok()) break;
-  }
-  return stateHash(world);
-}
-
-Scene with(Scene scene, Method method, double dt)
-{
-  scene.method = method;
-  scene.dt = dt;
-  return scene;
+    if (!play.advance(drawn.tick).ok()) break;
+  return stateHash(play.world());
 }
 }  // namespace
 
 Verdict judge(const RandomScene& drawn, Method method, double dt)
 {
-  const Scene scene = with(drawn.scene, method, dt);
-  Verdict verdict = RandomRun(drawn, scene, drawn.hasWhole() ? with(drawn.whole, method, dt) : Scene()).run();
+  Verdict verdict = RandomRun(drawn, method, dt).run();
   const std::uint64_t round = drawn.index / stageKinds().size();
   if (round % kSameBitsEvery != 0 || verdict.of(Check::Storm).broken) return verdict;
   const RandomScene again = randomScene(drawn.seed, drawn.index);
-  if (hashAfter(drawn, scene) != hashAfter(again, with(again.scene, method, dt)))
-    verdict.fault(Check::SameBits, drawn.duration);
+  if (hashAfter(drawn, method, dt) != hashAfter(again, method, dt)) verdict.fault(Check::SameBits, drawn.duration);
   return verdict;
 }
 }  // namespace ping_pong::stability

@@ -1,6 +1,7 @@
 // A stage: bodies around a place where a ball may come into trouble, in a frame of its own with z up.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct Stage
   double most_friction = kNoLimit;     ///< beyond that a ball may jam between bodies that move against each other
   std::vector<TimedCommand> commands;
 
-  static constexpr double kNoLimit = 1e300;
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
   std::size_t addBody(const std::string& name, BodyKind kind, const Pose& pose = Pose());
   /// A shape with this pose in the frame of the stage.
