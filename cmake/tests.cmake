@@ -86,6 +86,7 @@ foreach(name
     over_the_edge
     squeeze
     stability
+    random_contacts
     air
     friction
     properties

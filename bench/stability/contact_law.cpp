@@ -53,7 +53,7 @@ class Explanation
 {
 public:
   Explanation(const Scene& scene, const Moment& before, const Moment& after)
-    : scene_(scene), before_(before), after_(after), none_(kGrips + scene.tolerance), ball_(scene.balls[0].params)
+      : scene_(scene), before_(before), after_(after), none_(kGrips + scene.tolerance), ball_(scene.balls[0].params)
   {
   }
 
@@ -106,8 +106,8 @@ bool Explanation::addResistance(const Surface& law, std::size_t i, const Vector3
   const Way rolling = wayOf(over(before_), over(after_), 0.0, kRolls);
   const Way turning = wayOf(n.dot(before_.ball.w_WB) * n, n.dot(after_.ball.w_WB) * n, 0.0, kRolls);
   if ((law.rolling_resistance > 0.0 && !rolling.steady) || (law.spin_friction > 0.0 && !turning.steady)) return false;
-  const Vector3d torque =
-      (1.0 + ball_.inertia) * law.rolling_resistance * n.cross(rolling.direction) + law.spin_friction * turning.direction;
+  const Vector3d torque = (1.0 + ball_.inertia) * law.rolling_resistance * n.cross(rolling.direction) +
+                          law.spin_friction * turning.direction;
   columns_.col(contacts_[0].first).tail<3>() -= torque;
   return true;
 }
@@ -168,7 +168,8 @@ double Explanation::unexplained(const Vector6d& felt) const
   const double rest = (columns_ * forces - felt).norm();
   if (free == 0) return std::max(rest, worstLimit(forces));
   if (free > 1) return rest;
-  // Two gripping contacts can push against each other: any such push will do that keeps the limits, which are convex in it.
+  // Two gripping contacts can push against each other: any such push will do that keeps the limits, which are convex in
+  // it.
   const Eigen::VectorXd push = svd.matrixV().col(rank);
   double low = -1e3 * felt.norm(), high = -low;
   for (int i = 0; i < kTries; ++i)

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "random_checks.h"
 #include "play.h"
+#include "random_checks.h"
 
 namespace ping_pong::stability
 {
@@ -26,7 +26,8 @@ std::vector<Vector3d> placesOf(const RandomScene& drawn, Method method, double d
 std::size_t realBounces(const World& world)
 {
   return static_cast<std::size_t>(std::count_if(world.contacts().begin(), world.contacts().end(),
-                                                [](const Contact& contact) { return closingOf(contact) > kRealBounce; }));
+                                                [](const Contact& contact)
+                                                { return closingOf(contact) > kRealBounce; }));
 }
 
 // Whole ticks before the second real bounce.
@@ -52,6 +53,23 @@ double farthest(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b)
   return distance;
 }
 }  // namespace
+
+bool comparable(const RandomScene& drawn)
+{
+  if (drawn.scene.forces.spin_decay > 0.0 || drawn.launch == "rest") return false;
+  for (const Body& body : drawn.scene.bodies)
+    for (const Shape& shape : body.shapes)
+    {
+      const Surface& law = drawn.scene.surfaces.at(0, shape.material);
+      if (law.rolling_resistance > 0.0 || law.spin_friction > 0.0) return false;
+    }
+  return true;
+}
+
+bool agrees(const Verdict& verdict)
+{
+  return verdict.fine <= kCloseEnough || verdict.coarse / verdict.fine >= kFalls;
+}
 
 Verdict compareWithImpulse(const RandomScene& drawn)
 {

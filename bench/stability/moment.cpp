@@ -52,7 +52,6 @@ Vector3d pullOf(const Scene& scene)
 bool sameTouches(const Moment& a, const Moment& b)
 {
   return std::equal(a.touching.begin(), a.touching.end(), b.touching.begin(), b.touching.end(),
-                    [](const Touch& x, const Touch& y)
-                    { return x.of.body == y.of.body && x.of.shape == y.of.shape; });
+                    [](const Touch& x, const Touch& y) { return x.of.body == y.of.body && x.of.shape == y.of.shape; });
 }
 }  // namespace ping_pong::stability

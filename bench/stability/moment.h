@@ -19,14 +19,13 @@ struct Moment
   std::vector<Touch> touching;  ///< of those, what it touches
   double energy = 0.0;          ///< per mass: kinetic, rotational, potential with buoyancy [J/kg]
   bool held = false;            ///< lies, rolls or slides, by the world's own account
+  double radius = 0.0;          ///< [m]
 
-  double depth() const;    ///< in the solid that it is deepest in [m]
-  double scale() const;    ///< speed of the ball and its rim, and 1 m/s [m/s]
-  double radius = 0.0;     ///< [m]
+  double depth() const;  ///< in the solid that it is deepest in [m]
+  double scale() const;  ///< speed of the ball and its rim, and 1 m/s [m/s]
 };
 
-/// @param model  of the ball
-/// @param g      what gravity and buoyancy do [m/s^2]
+/// @param g  what gravity and buoyancy do [m/s^2]
 Moment momentOf(const World& world, const Vector3d& g);
 
 /// What gravity and buoyancy do to the ball of this scene [m/s^2].

@@ -20,7 +20,7 @@ double closingOf(const Contact& contact)
 }
 
 Play::Play(const RandomScene& drawn, Method method, double dt)
-  : commands_(drawn.commands), world_(withMethod(drawn.scene, method, dt))
+    : commands_(drawn.commands), world_(withMethod(drawn.scene, method, dt))
 {
 }
 

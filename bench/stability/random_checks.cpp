@@ -20,11 +20,11 @@ constexpr int kProbeEvery = 5;          // ticks
 constexpr int kSameBitsEvery = 10;      // scenes
 constexpr double kSmallMoment = 1e-12;  // [s]
 
-// Part of forces that no law explains. In 0.1 ms directions turn by 1e-2 at most and their means stand for them to 1e-4; a
-// piece of path with an error of 1e-6 m over a second has forces true to some 1e-3.
+// Part of forces that no law explains. In 0.1 ms directions turn by 1e-2 at most and their means stand for them to
+// 1e-4; a piece of path with an error of 1e-6 m over a second has forces true to some 1e-3.
 constexpr double kAgainstTheLaw = 5e-3;
-// Speeds and spins round at 1e-13 m/s, and bounces that no longer count are slower than 1e-5 m/s: a gripping one leaves a part e_t of its slip,
-// the ones after it a part of that. And what the tolerance permits: 1e-6 m in a second is 1e-6 m/s.
+// Bounces that no longer count are slower than 1e-5 m/s, and each leaves a part e_t of the slip that the one before it
+// left; roundings are smaller. Besides, what the tolerance permits: 1e-6 m in a second is 1e-6 m/s.
 constexpr double kNoSlip = 1e-8;  // [m/s]
 constexpr double kStill = 1e-9;   // [m/s]
 constexpr double kSurely = 0.99;  // of what can hold a ball
@@ -33,7 +33,7 @@ class RandomRun
 {
 public:
   RandomRun(const RandomScene& drawn, Method method, double dt)
-    : drawn_(drawn), scene_(drawn.scene), pull_(pullOf(scene_)), play_(drawn, method, dt)
+      : drawn_(drawn), scene_(drawn.scene), pull_(pullOf(scene_)), play_(drawn, method, dt)
   {
     if (drawn.hasWhole()) whole_ = std::make_unique<World>(withMethod(drawn.whole, method, dt));
     now_ = momentOf(world(), pull_);
@@ -61,6 +61,7 @@ private:
   void checkRecord(const StepStatus& status);
   void checkContact(const Contact& contact);
   void checkDepth();
+  void checkThrough(const std::vector<Pose>& earlier);
   void checkGain();
   void checkLoss(bool contacts);
   void checkSlip(bool contacts);
@@ -70,6 +71,7 @@ private:
   bool conserves() const;
   bool holdsIts(const Touch& touch) const;
   bool allLoaded() const;
+  bool resistanceHolds(const Touch& touch) const;
   double energySlack() const;
   double slipSlack() const { return kNoSlip + scene_.tolerance; }
   bool still() const { return !drawn_.moves(); }
@@ -100,9 +102,8 @@ double RandomRun::energySlack() const
 
 void RandomRun::checkGain()
 {
-  if (!still() || scene_.forces.added_mass || (scene_.forces.drag && !scene_.forces.wind.isZero(0.0)) ||
-      (scene_.forces.magnus && !scene_.forces.wind.isZero(0.0)))
-    return;
+  const bool wind = scene_.forces.dependOnVelocity() && !scene_.forces.wind.isZero(0.0);
+  if (!still() || scene_.forces.added_mass || wind) return;
   const double gain = now_.energy - lowest_;
   note(Check::Gain, gain, energySlack());
   verdict_.gain = std::max(verdict_.gain, gain / (now_.scale() * now_.scale()));
@@ -145,7 +146,8 @@ void RandomRun::checkLoss(bool contacts)
 
 // --- what holds ---
 
-// Whether gravity surely presses the ball on all that it touches: loads of smooth surfaces, all of them a part of its own.
+// Whether gravity surely presses the ball on all that it touches: loads of smooth surfaces, all of them a part of its
+// own.
 bool RandomRun::allLoaded() const
 {
   const auto count = static_cast<Eigen::Index>(now_.touching.size());
@@ -182,27 +184,26 @@ bool stands(const Moment& moment)
   return moment.ball.v_WB.norm() <= kStill && moment.radius * moment.ball.w_WB.norm() <= kStill;
 }
 
-// Nothing changes with time where nothing moves: what has stood still for a tick stands still for ever. And rolling resistance
-// holds what pulls less than it does.
+// Nothing changes with time where nothing moves: what has stood still for a tick stands still for ever. And rolling
+// resistance holds what pulls less than it does. Rolling resistance surely holds what pulls less than it does, where
+// friction can hold it.
+bool RandomRun::resistanceHolds(const Touch& touch) const
+{
+  const Surface& law = lawOf(touch.of);
+  const BallParams& ball = scene_.balls[0].params;
+  const Vector3d a = FlightModel(scene_.forces, ball).acceleration(Vector3d::Zero(), Vector3d::Zero());
+  const double load = -touch.n_W.dot(a), drive = (a + load * touch.n_W).norm();
+  return load > 0.0 && drive / (1.0 + ball.inertia) < kSurely * law.rolling_resistance * load &&
+         drive < kSurely * law.friction * load;
+}
+
+// Nothing changes with time where nothing moves: what has stood still for a tick stands still for ever.
 void RandomRun::checkRest(bool contacts)
 {
   const bool stood = stands(last_);
   if (still() && stood && now_.held && last_.held && sameTouches(last_, now_) && !contacts)
-  {
-    bool held = at_rest_;
-    if (last_.touching.size() == 1)
-    {
-      const Touch& touch = last_.touching[0];
-      const Surface& law = lawOf(touch.of);
-      const BallParams& ball = scene_.balls[0].params;
-      const Vector3d a =
-          FlightModel(scene_.forces, ball).acceleration(Vector3d::Zero(), Vector3d::Zero());
-      const double load = -touch.n_W.dot(a), drive = (a + load * touch.n_W).norm();
-      held |= load > 0.0 && drive / (1.0 + ball.inertia) < kSurely * law.rolling_resistance * load &&
-              drive < kSurely * law.friction * load;
-    }
-    if (held) note(Check::Rest, now_.ball.v_WB.norm() + now_.radius * now_.ball.w_WB.norm(), 2.0 * kStill);
-  }
+    if (at_rest_ || (last_.touching.size() == 1 && resistanceHolds(last_.touching[0])))
+      note(Check::Rest, now_.ball.v_WB.norm() + now_.radius * now_.ball.w_WB.norm(), 2.0 * kStill);
   at_rest_ = stood && stands(now_) && (now_.ball.p_WB - last_.ball.p_WB).norm() < 1e-13;
 }
 
@@ -271,8 +272,8 @@ void RandomRun::checkRecord(const StepStatus& status)
 
 // --- places ---
 
-// Depth of the centre in a shape, deepest on the straight way from a to b, both in the body's frame: the distance from a convex shape
-// is a convex function.
+// Depth of the centre in a shape, deepest on the straight way from a to b, both in the body's frame: the distance from
+// a convex shape is a convex function.
 double deepestOnTheWay(const Shape& shape, Vector3d a, Vector3d b)
 {
   for (int i = 0; i < 40; ++i)
@@ -291,6 +292,24 @@ void RandomRun::checkDepth()
   const double depth = now_.depth();
   note(Check::Depth, depth, kMostDepth);
   verdict_.deepest = std::max(verdict_.deepest, depth);
+}
+
+// On the straight way between the ends of the tick the centre comes no nearer than the ball, but for what the path
+// bends.
+void RandomRun::checkThrough(const std::vector<Pose>& earlier)
+{
+  const auto seen = [](const Pose& X, const Vector3d& p) { return Vector3d(X.q.conjugate() * (p - X.p)); };
+  const double way = (now_.ball.p_WB - last_.ball.p_WB).norm();
+  for (std::size_t i = 0; i < now_.around.size(); ++i)
+  {
+    const ShapeName of = now_.around[i].of;
+    const double room = now_.around[i].gap + last_.around[i].gap + 2.0 * now_.radius;
+    if (room > way && still()) continue;
+    const double depth =
+        deepestOnTheWay(scene_.bodies[of.body].shapes[of.shape], seen(earlier[of.body], last_.ball.p_WB),
+                        seen(world().bodyPose(of.body), now_.ball.p_WB));
+    note(Check::Through, depth, 0.25 * now_.radius);
+  }
 }
 
 // --- the run ---
@@ -318,17 +337,7 @@ bool RandomRun::step(double duration)
   if (status.squeezed > 0 && (still() || scene_.bodies.size() == 1)) verdict_.fault(Check::Squeezed, now_.time);
   if (status.event_limit || status.not_finite || status.squeezed > 0 || verdict_.of(Check::State).broken) return false;
   checkDepth();
-  const double way = (now_.ball.p_WB - last_.ball.p_WB).norm();
-  for (std::size_t i = 0; i < now_.around.size(); ++i)
-  {
-    const ShapeName of = now_.around[i].of;
-    const auto seen = [&](const Pose& X, const Vector3d& p) { return Vector3d(X.q.conjugate() * (p - X.p)); };
-    const double room = now_.around[i].gap + last_.around[i].gap + 2.0 * now_.radius;
-    if (room > way && still()) continue;
-    const double depth = deepestOnTheWay(scene_.bodies[of.body].shapes[of.shape], seen(poses[of.body], last_.ball.p_WB),
-                                         seen(world().bodyPose(of.body), now_.ball.p_WB));
-    note(Check::Through, depth, 0.25 * now_.radius);
-  }
+  checkThrough(poses);
   const bool contacts = status.contacts > 0;
   checkGain();
   checkLoss(contacts);

@@ -23,7 +23,8 @@ const char* const kUsage =
     "usage: stability DIRECTORY   writes stability.csv, tunnelling.csv and random.csv there\n"
     "       stability --random N [--seed S] [--first K] [--method M] [--dt H] [--patience SECONDS] [--processes P] "
     "[--dump FOLDER]\n"
-    "         runs and judges N random scenes from number K on; exit code 1 if any fails. --dump writes scene K as files\n";
+    "         runs and judges N random scenes from number K on; exit code 1 if any fails. --dump writes scene K as "
+    "files\n";
 
 class Progress
 {
@@ -40,10 +41,7 @@ public:
   }
 
 private:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const std::uint64_t count_;
@@ -119,9 +117,9 @@ RandomReport runRandom(const RandomOptions& options, bool print_failures)
     }
     progress.step(report.failed());
   };
-  watched({options.first, options.count, options.processes, options.patience},
-          [&](std::uint64_t index) { return judge(randomScene(options.seed, index), options.method, options.dt); },
-          told);
+  watched(
+      {options.first, options.count, options.processes, options.patience},
+      [&](std::uint64_t index) { return judge(randomScene(options.seed, index), options.method, options.dt); }, told);
   return report;
 }
 

@@ -14,10 +14,10 @@ struct RandomOptions
 {
   std::uint64_t count = 1000, seed = 1, first = 0;
   Method method = Method::Exact;
-  double dt = 1e-3;         ///< longest step of methods with steps [s]
-  double patience = 10.0;   ///< with one scene [s]
+  double dt = 1e-3;        ///< longest step of methods with steps [s]
+  double patience = 10.0;  ///< with one scene [s]
   unsigned processes = 1;
-  std::string dump;         ///< folder for the first scene as files; empty: none
+  std::string dump;  ///< folder for the first scene as files; empty: none
 };
 
 /// "--random N" and what follows. Throws std::invalid_argument.

@@ -1,5 +1,5 @@
-// Scenes of one ball and the places where a ball comes into trouble: corners, grooves, seams, edges, curved, turning and
-// pushing surfaces, with all kinds of contact laws and air.
+// Scenes of one ball and the places where a ball comes into trouble: corners, grooves, seams, edges, curved, turning
+// and pushing surfaces, with all kinds of contact laws and air.
 #pragma once
 
 #include <string>

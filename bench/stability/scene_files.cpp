@@ -29,8 +29,14 @@ std::ostream& operator<<(std::ostream& out, const Listed& listed)
   return out << listed.x.x() << listed.between << listed.x.y() << listed.between << listed.x.z();
 }
 
-Listed yaml(const Vector3d& x) { return {x, ", "}; }
-Listed xml(const Vector3d& x) { return {x, " "}; }
+Listed yaml(const Vector3d& x)
+{
+  return {x, ", "};
+}
+Listed xml(const Vector3d& x)
+{
+  return {x, " "};
+}
 
 // As in URDF: about the fixed axes x, y, z, one after the other.
 Vector3d rollPitchYaw(const Matrix3d& R)
@@ -80,9 +86,9 @@ void writeBody(std::ostream& out, const Body& body)
 {
   const Vector3d rpy = rollPitchYaw(body.pose.q.toRotationMatrix());
   const DriveLimits& limits = body.limits;
-  out << "  - {name: " << body.name << ", urdf: " << body.name << ".urdf, kind: "
-      << (body.kind == BodyKind::Static ? "static" : "kinematic") << ", position: [" << yaml(body.pose.p)
-      << "], rpy: [" << yaml(rpy) << ']';
+  out << "  - {name: " << body.name << ", urdf: " << body.name
+      << ".urdf, kind: " << (body.kind == BodyKind::Static ? "static" : "kinematic") << ", position: ["
+      << yaml(body.pose.p) << "], rpy: [" << yaml(rpy) << ']';
   if (body.kind == BodyKind::Kinematic)
     out << ", limits: {speed: " << limits.speed << ", acceleration: " << limits.acceleration
         << ", angular_speed: " << limits.angular_speed << ", angular_acceleration: " << limits.angular_acceleration
@@ -116,8 +122,8 @@ void writeBodies(std::ostream& out, const Scene& scene, const std::string& folde
 
 void writeBall(std::ostream& out, const SceneBall& ball)
 {
-  out << "balls:\n  - {position: [" << yaml(ball.state.p_WB) << "], velocity: [" << yaml(ball.state.v_WB) << "], spin: ["
-      << yaml(ball.state.w_WB) << "], radius: " << ball.params.radius << ", mass: " << ball.params.mass
+  out << "balls:\n  - {position: [" << yaml(ball.state.p_WB) << "], velocity: [" << yaml(ball.state.v_WB)
+      << "], spin: [" << yaml(ball.state.w_WB) << "], radius: " << ball.params.radius << ", mass: " << ball.params.mass
       << ", inertia: " << (ball.params.inertia == kShellInertia ? "shell" : "solid") << "}\n";
 }
 

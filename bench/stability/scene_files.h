@@ -7,7 +7,7 @@
 
 namespace ping_pong::stability
 {
-/// Writes scene.yaml and a URDF file for each body into this folder. Poses go through roll, pitch and yaw: the last bits may
-/// differ. Commands to bodies stand in comments. Throws std::runtime_error.
+/// Writes scene.yaml and a URDF file for each body into this folder. Poses go through roll, pitch and yaw: the last
+/// bits may differ. Commands to bodies stand in comments. Throws std::runtime_error.
 void dumpScene(const RandomScene& drawn, const std::string& folder);
 }  // namespace ping_pong::stability

@@ -46,11 +46,21 @@ Pose turnedAbout(const Vector3d& point, const Vector3d& axis, double angle)
 const std::vector<StageKind>& stageKinds()
 {
   static const std::vector<StageKind> kinds = {
-      {"floor_wall", floorAndWall}, {"groove", groove},     {"tray_corner", trayCorner},
-      {"tray", tray},               {"flush", flush},       {"nearly_flush", nearlyFlush},
-      {"step", step},               {"cylinder", cylinder}, {"edge", edge},
-      {"blade", blade},             {"spheres", spheres},   {"slope", slope},
-      {"clutter", clutter},         {"moving", movingTray}, {"turning", turningTable},
+      {"floor_wall", floorAndWall},
+      {"groove", groove},
+      {"tray_corner", trayCorner},
+      {"tray", tray},
+      {"flush", flush},
+      {"nearly_flush", nearlyFlush},
+      {"step", step},
+      {"cylinder", cylinder},
+      {"edge", edge},
+      {"blade", blade},
+      {"spheres", spheres},
+      {"slope", slope},
+      {"clutter", clutter},
+      {"moving", movingTray},
+      {"turning", turningTable},
       {"pushed", pushed},
   };
   return kinds;

@@ -49,8 +49,8 @@ Stage groove(Dice& dice)
   stage.feature.push_back(
       stage.addBox(body, {-0.4, -0.6, -0.05}, {0.03, 0.6, 0}, turnedAbout({0, 0, 0}, {0, 1, 0}, left)));
   const std::size_t other = bodyFor(stage, dice, body, "right");
-  stage.feature.push_back(stage.addBox(other, {-0.03, -0.6, -0.05}, {0.4, 0.6, 0},
-                                       turnedAbout({0, 0, 0}, {0, 1, 0}, -right)));
+  stage.feature.push_back(
+      stage.addBox(other, {-0.03, -0.6, -0.05}, {0.4, 0.6, 0}, turnedAbout({0, 0, 0}, {0, 1, 0}, -right)));
   if (dice.chance(0.3))
     stage.feature.push_back(stage.addBox(stage.addBody("end", BodyKind::Static), {-0.4, 0.3, -0.05}, {0.4, 0.35, 0.4},
                                          turnedAbout({0, 0.3, 0}, {1, 0, 0}, lean(dice, 0.3))));

@@ -34,8 +34,8 @@ void drive(Stage& stage, Dice& dice, std::size_t body, const Vector3d& along, co
   stage.commands.push_back({dice.chance(0.7) ? 0.0 : dice.uniform(0.0, 0.5), body, there});
   if (dice.chance(0.3)) stage.commands.push_back({dice.uniform(0.5, 1.5), body, PaddleCommand()});
   if (dice.chance(0.3))
-    stage.commands.push_back({dice.uniform(0.5, 1.5), body,
-                              velocityCommand(-0.5 * most.speed * along, -0.5 * most.angular_speed * about)});
+    stage.commands.push_back(
+        {dice.uniform(0.5, 1.5), body, velocityCommand(-0.5 * most.speed * along, -0.5 * most.angular_speed * about)});
 }
 
 // A floor with up to three walls, all of one body.
@@ -92,7 +92,8 @@ Stage turningTable(Dice& dice)
   return stage;
 }
 
-// A wall pushes the ball over a floor that stays where it is: upright or leaning back, so that there is always a way out.
+// A wall pushes the ball over a floor that stays where it is: upright or leaning back, so that there is always a way
+// out.
 Stage pushed(Dice& dice)
 {
   Stage stage;

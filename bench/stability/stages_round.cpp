@@ -52,8 +52,8 @@ void between(Stage& stage, Dice& dice, double radius)
 
 void onTheEnd(Stage& stage, Dice& dice, double radius)
 {
-  stage.feature.push_back(stage.add(stage.addBody("post", BodyKind::Static), cylinderShape(radius, 0.2),
-                                    at({-radius, 0, -0.1})));
+  stage.feature.push_back(
+      stage.add(stage.addBody("post", BodyKind::Static), cylinderShape(radius, 0.2), at({-radius, 0, -0.1})));
   if (dice.chance(0.5)) stage.addFloor(-0.2);
   stage.target = {0, dice.symmetric(0.5 * radius), kR};
   stage.low = {-radius, -0.5 * radius, 0};

@@ -11,10 +11,10 @@ namespace ping_pong::stability
 struct Touch
 {
   ShapeName of;
-  double gap = 0.0;                         ///< between ball and surface, negative in overlap [m]
-  Vector3d n_W = Vector3d::UnitZ();         ///< unit, from the surface to the ball
-  Vector3d u_WC = Vector3d::Zero();         ///< velocity of the touched point of the surface [m/s]
-  bool turns = false;                       ///< its body
+  double gap = 0.0;                  ///< between ball and surface, negative in overlap [m]
+  Vector3d n_W = Vector3d::UnitZ();  ///< unit, from the surface to the ball
+  Vector3d u_WC = Vector3d::Zero();  ///< velocity of the touched point of the surface [m/s]
+  bool turns = false;                ///< its body
 };
 
 /// @param twist  of the body

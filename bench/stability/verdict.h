@@ -44,7 +44,7 @@ struct Finding
   double value = 0.0, bound = 0.0;
   double time = 0.0;  ///< first beyond the bound [s]
   bool broken = false;
-  std::uint32_t looks = 0;    ///< how often it was looked at; faults: found
+  std::uint32_t looks = 0;  ///< how often it was looked at; faults: found
 };
 
 /// Plain data: it comes from another process.
@@ -54,7 +54,8 @@ struct Verdict
   double quiet_events = 0.0;  ///< events per second since the last real bounce; below zero: it bounces all the time
   double deepest = 0.0;       ///< [m]
   double gain = 0.0;          ///< of energy, part of what the ball had
-  double coarse = -1.0, fine = -1.0;  ///< how far `impulse` was off with longer and shorter steps [m]; below zero: not compared
+  double coarse = -1.0,
+         fine = -1.0;  ///< how far `impulse` was off with longer and shorter steps [m]; below zero: not compared
 
   Finding& of(Check check) { return findings[static_cast<std::size_t>(check)]; }
   const Finding& of(Check check) const { return findings[static_cast<std::size_t>(check)]; }

@@ -15,7 +15,8 @@ struct Watch
   double patience = 10.0;  ///< for one verdict [s]
 };
 
-/// Calls work(index) for each index, and told(index, verdict) here, in any order. Check::Hung and Check::Crashed come from here.
+/// Calls work(index) for each index, and told(index, verdict) here, in any order. Check::Hung and Check::Crashed come
+/// from here.
 void watched(const Watch& watch, const std::function<Verdict(std::uint64_t)>& work,
              const std::function<void(std::uint64_t, const Verdict&)>& told);
 }  // namespace ping_pong::stability
