@@ -34,13 +34,14 @@ Moment momentOf(const World& world, const Vector3d& g)
   now.ball = world.ballState(0);
   now.radius = params.radius;
   now.energy = energyOf(params, now.ball, g);
-  now.held = !std::isnan(world.restingSince(0));
   for (std::size_t b = 0; b < world.bodyCount(); ++b)
     for (std::size_t s = 0; s < world.body(b).shapes.size(); ++s)
       now.around.push_back(
           touchOf(world.body(b), {b, s}, world.bodyPose(b), world.bodyTwist(b), now.ball, params.radius));
   for (const Touch& touch : now.around)
     if (touch.gap < kTouchGap) now.touching.push_back(touch);
+  // `impulse` keeps no account of it.
+  now.held = world.method() == Method::Impulse ? !now.touching.empty() : !std::isnan(world.restingSince(0));
   return now;
 }
 
