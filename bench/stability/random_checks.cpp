@@ -201,7 +201,7 @@ bool RandomRun::resistanceHolds(const Touch& touch) const
 void RandomRun::checkRest(bool contacts)
 {
   const bool stood = stands(last_);
-  if (still() && stood && now_.held && last_.held && sameTouches(last_, now_) && !contacts)
+  if (still() && stood && sameTouches(last_, now_) && !contacts)
     if (at_rest_ || (last_.touching.size() == 1 && resistanceHolds(last_.touching[0])))
       note(Check::Rest, now_.ball.v_WB.norm() + now_.radius * now_.ball.w_WB.norm(), 2.0 * kStill);
   at_rest_ = stood && stands(now_) && (now_.ball.p_WB - last_.ball.p_WB).norm() < 1e-13;

@@ -21,7 +21,7 @@ Surface drawSurface(Dice& dice, double most_friction)
   if (dice.chance(0.2)) return law;  // smooth
   law.friction = std::min(dice.chance(0.2) ? kInf : dice.log(0.05, 1.5), most_friction);
   if (dice.chance(0.2)) law.tangential_restitution = dice.uniform(-0.5, 0.8);
-  if (dice.chance(0.2)) law.rolling_resistance = dice.log(1e-3, 0.1);
+  if (dice.chance(0.2)) law.rolling_resistance = dice.log(1e-3, 0.3);
   if (dice.chance(0.2)) law.spin_friction = dice.log(1e-3, 0.1);
   return law;
 }
