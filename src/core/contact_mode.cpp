@@ -1,6 +1,8 @@
 #include "contact_mode.h"
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "fixed_flight.h"
 #include "ping_pong_sim/evolve.h"
@@ -13,22 +15,26 @@ namespace
 constexpr double kKeepGap = 1e-6;           // a support is left from further than this [m]
 constexpr double kStillSpeed = 1e-12;       // below: rounding, the ball lies still [m/s]
 constexpr double kRoundedFraction = 1e-12;  // accelerations below this part of all there are are rounding
+constexpr double kTouchedFraction = 1e-7;   // parting with less than this part of them, a ball still touches
 constexpr int kProjections = 32;
-constexpr double kHeldTolerance = 1e-10;    // of pieces on surfaces: no ball sinks in by as much, whatever the scene's [m]
+constexpr double kShareOfPieces = 0.1;      // of the tolerance
 constexpr double kLeastTolerance = 1e-14;   // rounding [m]
 constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces that continue each other
 
-// What can be stopped within this time is stopped at once: the error is a fraction of g t^2 = 1e-13 m. Paths that end one
-// after the other in no time make it longer, so that they come to an end.
-constexpr double kGripTime = 1e-7;     // [s]
+// What can be stopped within the grip time is stopped at once: the error is a fraction of g t^2, of the tolerance. Paths that
+// end one after the other in no time make it longer, so that they come to an end.
+constexpr double kShareOfStops = 1e-3;   // of the tolerance
+constexpr double kUsualAcceleration = 10.0;  // [m/s^2]
+constexpr double kShortestGrip = 3e-8;  // [s]
 constexpr double kLongestGrip = 1e-3;  // [s]
 constexpr double kShortPath = 1e-5;    // [s]
 constexpr std::uint32_t kPatience = 12;
 
-double gripTime(const Supports& supports)
+double gripTime(const WorldState& world, const Supports& supports)
 {
+  const double usual = std::max(kShortestGrip, std::sqrt(kShareOfStops * world.scene.tolerance / kUsualAcceleration));
   const std::uint32_t impatient = supports.shortPaths() > kPatience ? supports.shortPaths() - kPatience : 0;
-  return std::min(kLongestGrip, std::ldexp(kGripTime, static_cast<int>(impatient)));
+  return std::min(kLongestGrip, std::ldexp(usual, static_cast<int>(impatient)));
 }
 
 BodyFrame frameOf(const BodyRecord& body, double t) { return frameAt(body.frame(), t - body.frame().start); }
@@ -166,7 +172,7 @@ bool atRest(const HeldBall& held, const Decision& decision, const BallMotion& ba
 // Whether the acceleration stays what it is now for as long as modes and faces do.
 bool steady(const HeldBall& held, const Decision& decision, const BallMotion& ball)
 {
-  if (decision.stops || atRest(held, decision, ball)) return true;
+  if (atRest(held, decision, ball)) return true;
   if (!held.model.constant()) return false;
   if (held.model.spinDecay() != 0.0 && !(ball.s.isZero(0.0) && decision.motion.b.isZero(0.0))) return false;
   for (std::size_t i = 0; i < held.count; ++i)
@@ -175,7 +181,7 @@ bool steady(const HeldBall& held, const Decision& decision, const BallMotion& ba
 }
 
 void moveSteadily(const WorldState& world, BallRecord& ball, const HeldBall& held, const Decision& decision,
-                  const BallMotion& motion, double t, double until, double window_end)
+                  const BallMotion& motion, double t, double window_end)
 {
   Segment& path = ball.path;
   const bool still = atRest(held, decision, motion);
@@ -183,7 +189,8 @@ void moveSteadily(const WorldState& world, BallRecord& ball, const HeldBall& hel
   path.c[1] = still ? Vector3d(Vector3d::Zero()) : motion.v;
   path.c[2] = 0.5 * decision.motion.a;
   if (!decision.motion.b.isZero(0.0)) path.further.make().alpha_WB = decision.motion.b / held.radius;
-  path.end = std::min(decision.stops ? kNever : leavesFirstFace(world, ball.supports, path, t), until);
+  if (still) return;
+  path.end = std::min(leavesFirstFace(world, ball.supports, path, t), t + slipsFor(decision));
   // On a moving body the caller plans anew at the next window; the path only has to reach it.
   if (onMovingBody(world, ball.supports) && path.end > window_end) path.end = kNever;
 }
@@ -192,9 +199,9 @@ void moveOnPiece(const WorldState& world, BallRecord& ball, const HeldBall& held
                  const BallMotion& motion, double t, double window_end, double next_piece)
 {
   const bool moving = onMovingBody(world, ball.supports) && window_end > t;
-  const double tolerance = std::max(std::min(kHeldTolerance, 0.1 * world.scene.tolerance), kLeastTolerance);
+  const double tolerance = std::max(kShareOfPieces * world.scene.tolerance, kLeastTolerance);
   ball.path.further.make().spin.make().next_piece = next_piece;
-  layHeldPiece(held, decision, motion, t, moving ? window_end - t : kNever, tolerance, gripTime(ball.supports), ball.path);
+  layHeldPiece(held, decision, motion, t, moving ? window_end - t : kNever, tolerance, gripTime(world, ball.supports), ball.path);
   if (moving && ball.path.end >= window_end) ball.path.end = window_end + kShortPath;  // see moveSteadily()
   ball.path.boundAcceleration();
 }
@@ -219,26 +226,34 @@ void removeSupport(std::size_t i, BallRecord& ball, HeldBall& held, Decision& de
 // Supports that carry nothing and part from the ball; those that do neither are still touched.
 void dropUnloaded(BallRecord& ball, HeldBall& held, Decision& decision, const BallMotion& motion)
 {
-  const double slack = kRoundedFraction * scaleOf(decision.problem);
+  const double slack = kTouchedFraction * scaleOf(decision.problem);
   for (std::size_t i = held.count; i-- > 0;)
   {
     if (decision.problem.mode[i].loaded) continue;
     const SupportPoint& at = decision.problem.at[i];
-    const bool parts = at.n.dot(decision.motion.a) > at.least + 10.0 * slack || at.rate > noSpeed(motion);
+    const bool parts = at.n.dot(decision.motion.a) > at.least + slack || at.rate > noSpeed(motion);
     if (parts) removeSupport(i, ball, held, decision);
   }
 }
 
 Vector3d cleaned(const Vector3d& a, double scale) { return a.norm() < kRoundedFraction * scale ? Vector3d(Vector3d::Zero()) : a; }
 
-// Where Coulomb's law has no answer, friction has jammed the ball: all slip ends at once.
+// What ends straight on planes has a closed form, else what can be stopped within the grip time is. Where Coulomb's law has no
+// answer, friction has jammed the ball: all slip ends at once.
 Decision decideOrJam(const HeldBall& held, BallMotion& motion, double t, double grip_time)
 {
-  gripAtOnce(held, motion, t, false);
-  Decision decision = decide(held, motion, t, grip_time);
+  gripAtOnce(held, allThatAlwaysGrips(held), t, motion);
+  Decision decision = decide(held, motion, t, 0.0);
+  if (decision.answered && steady(held, decision, motion)) return decision;
+  const Grips stops = decide(held, motion, t, grip_time).stops;
+  if (any(stops))
+  {
+    gripAtOnce(held, stops, t, motion);
+    decision = decide(held, motion, t, 0.0);
+  }
   if (decision.answered) return decision;
-  gripAtOnce(held, motion, t, true);
-  decision = decide(held, motion, t, grip_time);
+  gripAtOnce(held, allThatIsRough(held), t, motion);
+  decision = decide(held, motion, t, 0.0);
   if (!decision.answered) decision.motion = BallAcceleration();
   return decision;
 }
@@ -272,7 +287,7 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
   dropSurfacesLeft(world, ball, state, t);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   ball.supports.countShort(ended_soon);
-  const double grip_time = gripTime(ball.supports);
+  const double grip_time = gripTime(world, ball.supports);
   HeldBall held = heldBall(world, ball, state.p_WB, t);
   BallMotion motion = motionOf(state, held.radius);
   const Vector3d spin_before = motion.s;
@@ -281,15 +296,21 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
   if (motion.s != spin_before) state.w_WB = motion.s / held.radius;
   dropUnloaded(ball, held, decision, motion);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
+  if (motion.s.norm() < kStillSpeed && motion.v.norm() < kStillSpeed) state.w_WB.setZero();
   const double scale = scaleOf(decision.problem);
   decision.motion.a = cleaned(decision.motion.a, scale);
   decision.motion.b = cleaned(decision.motion.b, scale);
   ball.path = flyParabola(state, t, Vector3d::Zero());
-  const double until = decision.stops ? t + grip_time : t + slipsFor(decision);
   if (steady(held, decision, motion))
-    moveSteadily(world, ball, held, decision, motion, t, until, window_end);
+    moveSteadily(world, ball, held, decision, motion, t, window_end);
   else
     moveOnPiece(world, ball, held, decision, motion, t, window_end, next_piece);
+  if (getenv("DBG")) {
+    fprintf(stderr, "plan t=%.15g end=%.15g (%.3g) short %u answered %d steady %d ", t, ball.path.end, ball.path.end - t, ball.supports.shortPaths(), decision.answered, steady(held, decision, motion));
+    for (std::size_t i = 0; i < held.count; ++i) { const auto& m = decision.problem.mode[i]; const auto& a = decision.problem.at[i];
+      fprintf(stderr, " [b%d s%d f%d%d%d loaded %d slip %d %.3g roll %d %.3g spin %d %.3g N %.4g F %.4g]", ball.supports[i].body, ball.supports[i].shape, held.surface[i].feature.x, held.surface[i].feature.y, held.surface[i].feature.z, m.loaded, (int)m.slip, a.slip.norm(), (int)m.roll, a.roll.norm(), (int)m.spin, a.spin, decision.forces[i].load, decision.forces[i].friction.norm()); }
+    fprintf(stderr, "\n");
+  }
 }
 }  // namespace
 
@@ -306,7 +327,7 @@ Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball,
   for (std::size_t i = 0; i < held.count; ++i)
     if (touches(gapOver(world, ball, ball.supports[i], state, t))) held.surface[kept++] = held.surface[i];
   held.count = kept;
-  return decide(held, motionOf(state, held.radius), t, kGripTime).motion.a;
+  return decide(held, motionOf(state, held.radius), t, 0.0).motion.a;
 }
 
 void planPath(const WorldState& world, BallRecord& ball, const BallState& state, double t, double window_end)

@@ -1,6 +1,8 @@
 #include "exact_method.h"
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "contact_mode.h"
 #include "contact_record.h"
@@ -9,6 +11,7 @@
 #include "handover.h"
 #include "hop.h"
 #include "islands.h"
+#include "march.h"
 #include "ping_pong_sim/evolve.h"
 #include "ping_pong_sim/resolve.h"
 #include "placement.h"
@@ -82,7 +85,7 @@ bool squeezedBetween(const WorldState& world, const BallRecord& ball, const Ball
 
 // After a bounce: if all bounces to come are too small to count, the ball lies on the surface from now on.
 void settle(const WorldState& world, BallRecord& ball, const Event& event, const Surface& law, const BodyFrame& frame,
-            BallState& state, double leaving, double t)
+            BallState& state, double closing, double leaving, double t)
 {
   if (leaving > kSurelyBounces) return;
   const BodyRecord& body = world.bodies[event.other];
@@ -90,11 +93,12 @@ void settle(const WorldState& world, BallRecord& ball, const Event& event, const
   const Vector3d a = accelerationOnSupports(world, ball, state, t);
   const double press = -gapAcceleration(shape, frame, state.p_WB, state.v_WB, a);
   const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius);
-  const bool ends = bouncingEnds(gap.rate, press, touchTolerance(state.p_WB, ball.params().radius));
+  const bool pressed = closing <= kNoClosingSpeed;  // on it, without an impact
+  const bool ends = pressed || bouncingEnds(gap.rate, press, touchTolerance(state.p_WB, ball.params().radius));
   // Surfaces that throw a ball at each other without end take it in the end: what is lost is below rounding of a rally.
   if (!ends && !(ball.streak > kLongStreak && gap.rate < kDeadSpeed)) return;
   ball.supports.add(event.other, event.shape);
-  ball.supports.setSince(t + (ends ? timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution) : 0.0));
+  ball.supports.setSince(t + (press > 0.0 ? timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution) : 0.0));
   state.v_WB -= gap.rate * gap.n_W;
   state.p_WB -= gap.gap * gap.n_W;
 }
@@ -126,7 +130,8 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   bounce(law, ball.params(), state, u, gap.n_W);
   if (worthAReport(ball, -gap.rate))
     recordBodyContact(*window.records, ball, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB}, gap.n_W, u, t);
-  settle(world, ball, event, law, frame, state, gap.n_W.dot(state.v_WB - u), t);
+  if (getenv("DBG")) fprintf(stderr, "hit t=%.15g b%d s%d gap %.3g rate %.6g after %.6g streak %d\n", t, event.other, event.shape, gap.gap, gap.rate, gap.n_W.dot(state.v_WB - u), ball.streak);
+  settle(world, ball, event, law, frame, state, -gap.rate, gap.n_W.dot(state.v_WB - u), t);
   restart(world, window, i, state, t);
 }
 

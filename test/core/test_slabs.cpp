@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "ping_pong_sim/evolve.h"
 #include "scene_builder.h"
 #include "world_state.h"
 

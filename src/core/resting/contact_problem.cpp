@@ -11,7 +11,7 @@ namespace ping_pong
 namespace
 {
 constexpr int kMaxSweeps = 4000;
-constexpr double kConverged = 1e-15;  // change of a force in a sweep, as a part of the scale
+constexpr double kConverged = 4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
 constexpr double kGoodEnough = 1e-9;  // where sweeps do not end for rounding or slowly
 constexpr double kRounding = 1e-11;   // accelerations below this part of the scale are none
 constexpr double kInsideLimit = 1.0 - 1e-9;
@@ -29,14 +29,19 @@ struct Sweeper
   BallAcceleration& motion;
   SupportForces& forces;
   double change = 0.0;
+  double largest = 0.0;  // force
 
-  void note(double by) { change = std::max(change, by); }
+  void note(double by, double force)
+  {
+    change = std::max(change, by);
+    largest = std::max(largest, force);
+  }
 
   void push(std::size_t i, SupportForce& force)
   {
     const SupportPoint& at = problem.at[i];
     const double load = std::max(0.0, force.load + at.least - at.n.dot(motion.a));
-    note(std::abs(load - force.load));
+    note(std::abs(load - force.load), load);
     motion.a += (load - force.load) * at.n;
     force.load = load;
   }
@@ -56,7 +61,7 @@ struct Sweeper
       f = limited(force.friction - rate / (1.0 + 1.0 / problem.k), limit);
     }
     const Vector3d more = f - force.friction;
-    note(more.norm());
+    note(more.norm(), f.norm());
     motion.a += more;
     motion.b -= at.n.cross(more) / problem.k;
     force.friction = f;
@@ -71,7 +76,7 @@ struct Sweeper
     const Vector3d torque = mode.roll == Resistance::Slips
                                 ? Vector3d(-limit * mode.roll_direction)
                                 : limited(force.roll - tangentialTo(at.n, motion.b) - at.roll_bias, limit);
-    note((torque - force.roll).norm());
+    note((torque - force.roll).norm(), torque.norm());
     motion.b += torque - force.roll;
     force.roll = torque;
   }
@@ -85,14 +90,14 @@ struct Sweeper
     const double wanted = force.spin - at.n.dot(motion.b) - at.spin_bias;
     const double torque =
         mode.spin == Resistance::Slips ? -limit * mode.spin_direction : std::max(-limit, std::min(wanted, limit));
-    note(std::abs(torque - force.spin));
+    note(std::abs(torque - force.spin), std::abs(torque));
     motion.b += (torque - force.spin) * at.n;
     force.spin = torque;
   }
 
   void sweep()
   {
-    change = 0.0;
+    change = largest = 0.0;
     for (std::size_t i = 0; i < problem.count; ++i)
     {
       push(i, forces[i]);
@@ -128,8 +133,12 @@ Effect effectOfTorque(const Vector3d& torque)
 struct LinearProblem
 {
   Effects rows, columns;  // row.(a, b) = wanted; a column is what one unknown does
-  Unknowns wanted;
+  Unknowns wanted, forces;
   int count = 0;
+
+  explicit LinearProblem(const ContactProblem& problem);
+  // Several sticking contacts hold each other: of such forces, which the motion does not feel, the least.
+  BallAcceleration solve(const ContactProblem& problem);
 
   void add(const Effect& row, double its_wanted, const Effect& column)
   {
@@ -171,6 +180,62 @@ void addSupport(const ContactProblem& problem, std::size_t i, LinearProblem& lin
   if (mode.roll == Resistance::Holds)
     for (const Vector3d& e : tangents) linear.add(effectOfTorque(e), -e.dot(at.roll_bias), effectOfTorque(e));
   if (mode.spin == Resistance::Holds) linear.add(effectOfTorque(at.n), -at.spin_bias, effectOfTorque(at.n));
+}
+
+LinearProblem::LinearProblem(const ContactProblem& problem)
+{
+  rows.resize(6, kMost);
+  columns.resize(6, kMost);
+  wanted.resize(kMost);
+  for (std::size_t i = 0; i < problem.count; ++i)
+    if (problem.mode[i].loaded) addSupport(problem, i, *this);
+}
+
+BallAcceleration LinearProblem::solve(const ContactProblem& problem)
+{
+  Effect free;
+  free << problem.free.a, problem.free.b;
+  const Equations matrix = rows.leftCols(count).transpose() * columns.leftCols(count);
+  const Unknowns missing = wanted.head(count) - rows.leftCols(count).transpose() * free;
+  Eigen::CompleteOrthogonalDecomposition<Equations> decomposition(count, count);
+  decomposition.setThreshold(kRounding);
+  decomposition.compute(matrix);
+  forces = decomposition.solve(missing);
+  const Effect sum = free + columns.leftCols(count) * forces;
+  return {sum.head<3>(), sum.tail<3>()};
+}
+
+// If all supports carry loads, and all that may hold holds: whether the forces that this takes are there.
+bool allHold(ContactProblem problem, BallAcceleration& motion, SupportForces& forces)
+{
+  for (std::size_t i = 0; i < problem.count; ++i) problem.mode[i].loaded = true;
+  LinearProblem linear(problem);
+  motion = linear.solve(problem);
+  const double slack = kRounding * scaleOf(problem);
+  int next = 0;
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    const SupportMode& mode = problem.mode[i];
+    const Surface& law = *problem.law[i];
+    const Vector3d& n = problem.at[i].n;
+    const Vector3d e1 = n.unitOrthogonal(), e2 = n.cross(e1);
+    SupportForce& force = forces[i];
+    force = SupportForce();
+    force.load = linear.forces[next++];
+    if (!(force.load > slack)) return false;
+    const auto inPlane = [&] { next += 2; return Vector3d(linear.forces[next - 2] * e1 + linear.forces[next - 1] * e2); };
+    if (mode.slip == Resistance::Holds) force.friction = inPlane();
+    if (mode.roll == Resistance::Holds) force.roll = inPlane();
+    if (mode.spin == Resistance::Holds) force.spin = linear.forces[next++];
+    if (force.friction.norm() > kInsideLimit * frictionLimit(law, force.load) ||
+        (mode.roll == Resistance::Holds && force.roll.norm() > kInsideLimit * rollLimit(law, problem.k, force.load)) ||
+        (mode.spin == Resistance::Holds && std::abs(force.spin) > kInsideLimit * spinLimit(law, problem.k, force.load)))
+      return false;
+    if (mode.slip == Resistance::Slips) force.friction = -frictionLimit(law, force.load) * mode.slip_direction;
+    if (mode.roll == Resistance::Slips) force.roll = -rollLimit(law, problem.k, force.load) * mode.roll_direction;
+    if (mode.spin == Resistance::Slips) force.spin = -spinLimit(law, problem.k, force.load) * mode.spin_direction;
+  }
+  return true;
 }
 
 // The commonest case, one support without rolling resistance or spin friction, has a closed form.
@@ -220,6 +285,7 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
 {
   for (std::size_t i = 0; i < problem.count; ++i)
     if (problem.mode[i].slip != Resistance::None) count(Law::Friction);
+  if (allHold(problem, motion, forces)) return true;
   const double scale = scaleOf(problem);
   motion = problem.free;
   for (std::size_t i = 0; i < problem.count; ++i) forces[i] = SupportForce();
@@ -227,7 +293,7 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
   for (int i = 0; i < kMaxSweeps; ++i)
   {
     sweeper.sweep();
-    if (sweeper.change <= kConverged * scale) return true;
+    if (sweeper.change <= kConverged * (scale + sweeper.largest)) return true;
     if (!(sweeper.change < 1e9 * scale)) return false;
   }
   return sweeper.change <= kGoodEnough * scale;
@@ -254,19 +320,19 @@ std::array<SupportMode, kMaxSupports> modesOf(const ContactProblem& problem, con
     {
       const Vector3d rate = tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias;
       mode.slip = kindOf(force.friction.norm(), frictionLimit(law, force.load), rate.norm(), slack);
-      if (mode.slip == Resistance::Slips) mode.slip_direction = rate.normalized();
+      if (mode.slip == Resistance::Slips) mode.slip_direction = -force.friction.normalized();
     }
     if (mode.roll == Resistance::Holds)
     {
       const Vector3d rate = tangentialTo(at.n, motion.b) + at.roll_bias;
       mode.roll = kindOf(force.roll.norm(), rollLimit(law, problem.k, force.load), rate.norm(), slack);
-      if (mode.roll == Resistance::Slips) mode.roll_direction = rate.normalized();
+      if (mode.roll == Resistance::Slips) mode.roll_direction = -force.roll.normalized();
     }
     if (mode.spin == Resistance::Holds)
     {
       const double rate = at.n.dot(motion.b) + at.spin_bias;
       mode.spin = kindOf(std::abs(force.spin), spinLimit(law, problem.k, force.load), std::abs(rate), slack);
-      mode.spin_direction = std::copysign(1.0, rate);
+      mode.spin_direction = -std::copysign(1.0, force.spin);
     }
   }
   return modes;
@@ -276,24 +342,7 @@ BallAcceleration accelerationInModes(const ContactProblem& problem)
 {
   BallAcceleration motion;
   if (onOne(problem, motion)) return motion;
-  LinearProblem linear;
-  linear.rows.resize(6, kMost);
-  linear.columns.resize(6, kMost);
-  linear.wanted.resize(kMost);
-  for (std::size_t i = 0; i < problem.count; ++i)
-    if (problem.mode[i].loaded) addSupport(problem, i, linear);
-  if (linear.count == 0) return problem.free;
-  Effect free;
-  free << problem.free.a, problem.free.b;
-  const auto rows = linear.rows.leftCols(linear.count);
-  const auto columns = linear.columns.leftCols(linear.count);
-  const Equations matrix = rows.transpose() * columns;
-  const Unknowns missing = linear.wanted.head(linear.count) - rows.transpose() * free;
-  Eigen::ColPivHouseholderQR<Equations> qr(matrix.rows(), matrix.cols());
-  qr.setThreshold(kRounding);  // several sticking contacts hold each other: forces that the motion does not feel
-  qr.compute(matrix);
-  const Unknowns forces = qr.solve(missing);
-  const Effect sum = free + columns * forces;
-  return {sum.head<3>(), sum.tail<3>()};
+  LinearProblem linear(problem);
+  return linear.count == 0 ? problem.free : linear.solve(problem);
 }
 }  // namespace ping_pong

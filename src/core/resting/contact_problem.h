@@ -30,7 +30,7 @@ struct SupportMode
   Resistance slip = Resistance::None;
   Resistance roll = Resistance::None;
   Resistance spin = Resistance::None;
-  Vector3d slip_direction = Vector3d::Zero();  ///< unit: of the slip, or where it begins, of its rate
+  Vector3d slip_direction = Vector3d::Zero();  ///< unit: of the slip, or where it begins, against the friction that could not hold it
   Vector3d roll_direction = Vector3d::Zero();
   double spin_direction = 0.0;
 
@@ -71,7 +71,7 @@ double spinLimit(const Surface& law, double k, double load);
 /// @return  false if there is no answer, as where friction itself jams the ball (Painleve)
 bool findForces(const ContactProblem& problem, BallAcceleration& motion, SupportForces& forces);
 
-/// Which modes those forces stand for; a resistance at its limit slips along the rate of its motion.
+/// Which modes those forces stand for; a resistance at its limit begins to slip against its force.
 std::array<SupportMode, kMaxSupports> modesOf(const ContactProblem& problem, const BallAcceleration& motion,
                                               const SupportForces& forces);
 

@@ -13,7 +13,7 @@ namespace
 constexpr double kNoSpeed = 1e-12;    // rounding of speeds near 1 m/s [m/s]
 constexpr double kMostStopped = 1e2;  // faster than this times the grip time nothing is stopped within it [m/s^2]
 constexpr int kRounds = 4;            // of decisions: each lets something slip that could not be stopped
-constexpr int kGripRounds = 200;
+constexpr int kGripRounds = 1000;
 
 // A resistance before it is known what it can do.
 struct Candidate
@@ -62,11 +62,6 @@ struct Channel
   }
 };
 
-struct Channels
-{
-  bool slip = false, roll = false, spin = false;  // may be stopped
-};
-
 Channel<Vector3d> slipOf(ContactProblem& problem, std::size_t i, bool stops)
 {
   return {problem.mode[i].slip, problem.mode[i].slip_direction, problem.at[i].slip_bias, problem.at[i].slip, stops};
@@ -80,29 +75,28 @@ Channel<double> spinOf(ContactProblem& problem, std::size_t i, bool stops)
   return {problem.mode[i].spin, problem.mode[i].spin_direction, problem.at[i].spin_bias, problem.at[i].spin, stops};
 }
 
-using AllChannels = std::array<Channels, kMaxSupports>;
-
-AllChannels beginModes(ContactProblem& problem, double none, double grip_time)
+Grips beginModes(ContactProblem& problem, double none, double grip_time)
 {
-  AllChannels stops;
+  Grips stops;
   for (std::size_t i = 0; i < problem.count; ++i)
   {
     const Surface& law = *problem.law[i];
     const SupportPoint& at = problem.at[i];
     const bool rough = law.friction > 0.0;
     auto slip = slipOf(problem, i, false);
-    slip.begin(candidateOf(rough, at.slip.norm(), none, grip_time), grip_time);
+    const bool always = law.friction == std::numeric_limits<double>::infinity();  // what a grip has left of slip is rounding
+    slip.begin(candidateOf(rough, always ? 0.0 : at.slip.norm(), none, grip_time), grip_time);
     auto roll = rollOf(problem, i, false);
     roll.begin(candidateOf(rough && law.rolling_resistance > 0.0, at.roll.norm(), none, grip_time), grip_time);
     auto spin = spinOf(problem, i, false);
     spin.begin(candidateOf(rough && law.spin_friction > 0.0, std::abs(at.spin), none, grip_time), grip_time);
-    stops[i] = {slip.stops, roll.stops, spin.stops};
+    stops[i] = {slip.stops, roll.stops, spin.stops, false};
   }
   return stops;
 }
 
 // Lets go of what could not be stopped; true if there was any.
-bool letGo(ContactProblem& problem, const std::array<SupportMode, kMaxSupports>& found, AllChannels& stops, double grip_time)
+bool letGo(ContactProblem& problem, const std::array<SupportMode, kMaxSupports>& found, Grips& stops, double grip_time)
 {
   bool any = false;
   for (std::size_t i = 0; i < problem.count; ++i)
@@ -113,16 +107,24 @@ bool letGo(ContactProblem& problem, const std::array<SupportMode, kMaxSupports>&
     any |= roll.letGo(found[i].roll, grip_time);
     auto spin = spinOf(problem, i, stops[i].spin);
     any |= spin.letGo(found[i].spin, grip_time);
-    stops[i] = {slip.stops, roll.stops, spin.stops};
+    stops[i] = {slip.stops, roll.stops, spin.stops, false};
   }
   return any;
 }
 
-bool anyStops(const AllChannels& stops, const ContactProblem& problem)
+// What holds, if any of it has to be stopped first: the rest must go on to hold while that is done.
+Grips heldIfAnyStops(const ContactProblem& problem, const Grips& stops)
 {
+  Grips held;
+  bool any = false;
   for (std::size_t i = 0; i < problem.count; ++i)
-    if (problem.mode[i].loaded && (stops[i].slip || stops[i].roll || stops[i].spin)) return true;
-  return false;
+  {
+    const SupportMode& mode = problem.mode[i];
+    if (!mode.loaded) continue;
+    held[i] = {mode.slip == Resistance::Holds, mode.roll == Resistance::Holds, mode.spin == Resistance::Holds, true};
+    any |= stops[i].slip || stops[i].roll || stops[i].spin;
+  }
+  return any ? held : Grips();
 }
 
 void countResistances(const ContactProblem& problem)
@@ -177,9 +179,9 @@ ContactProblem problemAt(const HeldBall& held, const BallMotion& ball, double t)
 
 Decision decide(const HeldBall& held, const BallMotion& ball, double t, double grip_time)
 {
-  Decision decision{problemAt(held, ball, t), {}, {}};
+  Decision decision{problemAt(held, ball, t), {}, {}, {}};
   ContactProblem& problem = decision.problem;
-  AllChannels stops = beginModes(problem, noSpeed(ball), grip_time);
+  Grips stops = beginModes(problem, noSpeed(ball), grip_time);
   countResistances(problem);
   for (int round = 0; round < kRounds; ++round)
   {
@@ -189,7 +191,7 @@ Decision decide(const HeldBall& held, const BallMotion& ball, double t, double g
     problem.mode = found;
     break;
   }
-  decision.stops = anyStops(stops, problem);
+  decision.stops = heldIfAnyStops(problem, stops);
   return decision;
 }
 
@@ -234,25 +236,45 @@ double slipsFor(const Decision& decision)
   return first;
 }
 
-void gripAtOnce(const HeldBall& held, BallMotion& ball, double t, bool all)
+bool any(const Grips& grips)
 {
-  const double none = noSpeed(ball);
-  for (int round = 0; round < kGripRounds; ++round)
+  return std::any_of(grips.begin(), grips.end(), [](const Grip& grip) { return grip.slip || grip.roll || grip.spin; });
+}
+
+Grips allThatIsRough(const HeldBall& held)
+{
+  Grips grips;
+  for (std::size_t i = 0; i < held.count; ++i) grips[i].slip = held.surface[i].law->friction > 0.0;
+  return grips;
+}
+
+Grips allThatAlwaysGrips(const HeldBall& held)
+{
+  Grips grips;
+  for (std::size_t i = 0; i < held.count; ++i)
+    grips[i].slip = held.surface[i].law->friction == std::numeric_limits<double>::infinity();
+  return grips;
+}
+
+void gripAtOnce(const HeldBall& held, const Grips& grips, double t, BallMotion& ball)
+{
+  if (!any(grips)) return;
+  const double none = 1e-3 * noSpeed(ball);
+  double change = 2.0 * none;
+  for (int round = 0; round < kGripRounds && change > none; ++round)
   {
-    double change = 0.0;
+    change = 0.0;
     for (std::size_t i = 0; i < held.count; ++i)
     {
-      const SupportPoint at = supportPoint(held.surface[i], ball, held.radius, t);
-      ball.v -= std::min(at.rate, 0.0) * at.n;
-      const double friction = held.surface[i].law->friction;
-      const bool grips = all ? friction > 0.0 : friction == std::numeric_limits<double>::infinity();
-      if (!grips) continue;
-      const Vector3d f = -at.slip / (1.0 + 1.0 / held.k);
-      ball.v += f;
+      SupportPoint at = supportPoint(held.surface[i], ball, held.radius, t);
+      const Vector3d f = grips[i].slip ? Vector3d(-at.slip / (1.0 + 1.0 / held.k)) : Vector3d(Vector3d::Zero());
+      ball.v += f - (grips[i].contact ? at.rate : std::min(at.rate, 0.0)) * at.n;
       ball.s -= at.n.cross(f) / held.k;
-      change = std::max(change, f.norm());
+      if (grips[i].roll || grips[i].spin) at = supportPoint(held.surface[i], ball, held.radius, t);
+      if (grips[i].roll) ball.s -= at.roll;
+      if (grips[i].spin) ball.s -= at.spin * at.n;
+      change = std::max({change, f.norm(), grips[i].contact ? std::abs(at.rate) : 0.0, grips[i].roll ? at.roll.norm() : 0.0, grips[i].spin ? std::abs(at.spin) : 0.0});
     }
-    if (change <= 1e-3 * none) return;
   }
 }
 

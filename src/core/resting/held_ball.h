@@ -24,17 +24,25 @@ BallMotion motionOf(const BallState& state, double radius);
 /// The contact problem without modes.
 ContactProblem problemAt(const HeldBall& held, const BallMotion& ball, double t);
 
+/// Motions of a support that are brought to rest.
+struct Grip
+{
+  bool slip = false, roll = false, spin = false;
+  bool contact = false;  ///< must not part meanwhile
+};
+using Grips = std::array<Grip, kMaxSupports>;
+
 /// Modes at an instant, and what they make of the motion.
 struct Decision
 {
   ContactProblem problem;
   BallAcceleration motion;
   SupportForces forces;
-  bool stops = false;     ///< a slip, a roll or a spin ends within the grip time
+  Grips stops;            ///< all that holds, if some of it can be stopped within the grip time but is not at rest yet
   bool answered = true;   ///< else nothing that Coulomb's law allows
 };
 
-/// @param grip_time  what can be brought to rest within this time is [s]
+/// @param grip_time  what can be brought to rest within this time counts as held, and is listed in `stops`; 0: nothing [s]
 Decision decide(const HeldBall& held, const BallMotion& ball, double t, double grip_time);
 
 /// Whether modes that were decided before are still the ones, now: what slipped slips, and what held holds.
@@ -43,8 +51,13 @@ bool modesHold(const HeldBall& held, const ContactProblem& decided, const BallMo
 /// After how long the first thing that slips comes to rest, at its present rate; kNever if none does [s].
 double slipsFor(const Decision& decision);
 
-/// Brings contacts without a limit of friction, or all rough ones, to grip at once, as by an impulse: energy falls.
-void gripAtOnce(const HeldBall& held, BallMotion& ball, double t, bool all);
+bool any(const Grips& grips);
+Grips allThatIsRough(const HeldBall& held);
+/// Contacts without a limit of friction: they grip whatever the slip.
+Grips allThatAlwaysGrips(const HeldBall& held);
+
+/// Brings these motions to rest at once, as by an impulse: energy falls.
+void gripAtOnce(const HeldBall& held, const Grips& grips, double t, BallMotion& ball);
 
 /// Slower than this is at rest: rounding [m/s].
 double noSpeed(const BallMotion& ball);
