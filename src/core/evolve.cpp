@@ -32,6 +32,7 @@ void giveFurtherTerms(double spin_decay, Segment& path)
   FurtherTerms& further = path.further.make();
   further.turn_WB.setZero();
   further.alpha_WB.setZero();
+  further.spin.reset();
   further.spin_decay = spin_decay;
 }
 
