@@ -2,6 +2,8 @@
 
 #include <Eigen/QR>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 
 #include "count.h"
@@ -10,9 +12,9 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMaxSweeps = 4000;
+constexpr int kMaxSweeps = 1000;
 constexpr double kConverged = 4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
-constexpr double kGoodEnough = 1e-9;  // where sweeps do not end for rounding or slowly
+constexpr double kGoodEnough = 1e-4;  // where sweeps come to their end slowly; where there is no end they grow
 constexpr double kRounding = 1e-11;   // accelerations below this part of the scale are none
 constexpr double kInsideLimit = 1.0 - 1e-9;
 
@@ -135,10 +137,16 @@ struct LinearProblem
   Effects rows, columns;  // row.(a, b) = wanted; a column is what one unknown does
   Unknowns wanted, forces;
   int count = 0;
+  bool redundant = false;  // there are forces that the motion does not feel
 
   explicit LinearProblem(const ContactProblem& problem);
   // Several sticking contacts hold each other: of such forces, which the motion does not feel, the least.
   BallAcceleration solve(const ContactProblem& problem);
+  // The forces nearest to this one alone that the motion does not feel.
+  Unknowns internal(int unknown) const;
+
+  Equations matrix;
+  Eigen::CompleteOrthogonalDecomposition<Equations> decomposition;
 
   void add(const Effect& row, double its_wanted, const Effect& column)
   {
@@ -195,14 +203,90 @@ BallAcceleration LinearProblem::solve(const ContactProblem& problem)
 {
   Effect free;
   free << problem.free.a, problem.free.b;
-  const Equations matrix = rows.leftCols(count).transpose() * columns.leftCols(count);
+  matrix = rows.leftCols(count).transpose() * columns.leftCols(count);
   const Unknowns missing = wanted.head(count) - rows.leftCols(count).transpose() * free;
-  Eigen::CompleteOrthogonalDecomposition<Equations> decomposition(count, count);
   decomposition.setThreshold(kRounding);
   decomposition.compute(matrix);
+  redundant = decomposition.rank() < count;
   forces = decomposition.solve(missing);
   const Effect sum = free + columns.leftCols(count) * forces;
   return {sum.head<3>(), sum.tail<3>()};
+}
+
+Unknowns LinearProblem::internal(int unknown) const
+{
+  Unknowns one = Unknowns::Zero(count);
+  one[unknown] = 1.0;
+  const Unknowns felt = matrix * one;
+  return one - decomposition.solve(felt);
+}
+
+// The forces of a support among the unknowns, in the order of addSupport().
+SupportForce forceOf(const ContactProblem& problem, std::size_t i, const Unknowns& forces, int& next)
+{
+  const SupportMode& mode = problem.mode[i];
+  const Surface& law = *problem.law[i];
+  const Vector3d& n = problem.at[i].n;
+  const Vector3d e1 = n.unitOrthogonal(), e2 = n.cross(e1);
+  const auto inPlane = [&]
+  {
+    next += 2;
+    return Vector3d(forces[next - 2] * e1 + forces[next - 1] * e2);
+  };
+  SupportForce force;
+  force.load = forces[next++];
+  if (mode.slip == Resistance::Holds) force.friction = inPlane();
+  if (mode.slip == Resistance::Slips) force.friction = -frictionLimit(law, force.load) * mode.slip_direction;
+  if (mode.roll == Resistance::Holds) force.roll = inPlane();
+  if (mode.roll == Resistance::Slips) force.roll = -rollLimit(law, problem.k, force.load) * mode.roll_direction;
+  if (mode.spin == Resistance::Holds) force.spin = forces[next++];
+  if (mode.spin == Resistance::Slips) force.spin = -spinLimit(law, problem.k, force.load) * mode.spin_direction;
+  return force;
+}
+
+// How far the forces are inside of all limits, negative if they are not: a concave function of them [m/s^2].
+double marginOf(const ContactProblem& problem, const Unknowns& forces)
+{
+  double margin = std::numeric_limits<double>::infinity();
+  int next = 0;
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    const SupportMode& mode = problem.mode[i];
+    const Surface& law = *problem.law[i];
+    const SupportForce force = forceOf(problem, i, forces, next);
+    margin = std::min(margin, force.load);
+    const auto inside = [&](double limit, double its_force) { margin = std::min(margin, kInsideLimit * limit - its_force); };
+    if (mode.slip == Resistance::Holds) inside(frictionLimit(law, force.load), force.friction.norm());
+    if (mode.roll == Resistance::Holds) inside(rollLimit(law, problem.k, force.load), force.roll.norm());
+    if (mode.spin == Resistance::Holds) inside(spinLimit(law, problem.k, force.load), std::abs(force.spin));
+  }
+  return margin;
+}
+
+// Supports may press on each other through the ball, which does not move it: as much of that as brings the forces furthest
+// inside of their limits, along one direction, by golden-section search.
+void pressAlong(const ContactProblem& problem, const Unknowns& direction, double most, double enough, Unknowns& forces)
+{
+  constexpr double kGolden = 0.6180339887498949;
+  const auto at = [&](double x) { return marginOf(problem, forces + x * direction); };
+  double low = -most, high = most;
+  double x1 = high - kGolden * (high - low), x2 = low + kGolden * (high - low);
+  double f1 = at(x1), f2 = at(x2);
+  for (int i = 0; i < 60 && std::max(f1, f2) <= enough; ++i)
+  {
+    if (f1 < f2)
+    {
+      low = x1, x1 = x2, f1 = f2;
+      x2 = low + kGolden * (high - low), f2 = at(x2);
+    }
+    else
+    {
+      high = x2, x2 = x1, f2 = f1;
+      x1 = high - kGolden * (high - low), f1 = at(x1);
+    }
+  }
+  const double best = f1 < f2 ? x2 : x1;
+  if (std::max(f1, f2) > marginOf(problem, forces)) forces += best * direction;
 }
 
 // If all supports carry loads, and all that may hold holds: whether the forces that this takes are there.
@@ -211,30 +295,23 @@ bool allHold(ContactProblem problem, BallAcceleration& motion, SupportForces& fo
   for (std::size_t i = 0; i < problem.count; ++i) problem.mode[i].loaded = true;
   LinearProblem linear(problem);
   motion = linear.solve(problem);
-  const double slack = kRounding * scaleOf(problem);
+  const double scale = scaleOf(problem), slack = kRounding * scale;
   int next = 0;
   for (std::size_t i = 0; i < problem.count; ++i)
+    if (!(forceOf(problem, i, linear.forces, next).load > slack)) return false;
+  double margin = marginOf(problem, linear.forces);
+  next = 0;
+  for (std::size_t i = 0; i < problem.count && margin <= slack && linear.redundant; ++i)
   {
-    const SupportMode& mode = problem.mode[i];
-    const Surface& law = *problem.law[i];
-    const Vector3d& n = problem.at[i].n;
-    const Vector3d e1 = n.unitOrthogonal(), e2 = n.cross(e1);
-    SupportForce& force = forces[i];
-    force = SupportForce();
-    force.load = linear.forces[next++];
-    if (!(force.load > slack)) return false;
-    const auto inPlane = [&] { next += 2; return Vector3d(linear.forces[next - 2] * e1 + linear.forces[next - 1] * e2); };
-    if (mode.slip == Resistance::Holds) force.friction = inPlane();
-    if (mode.roll == Resistance::Holds) force.roll = inPlane();
-    if (mode.spin == Resistance::Holds) force.spin = linear.forces[next++];
-    if (force.friction.norm() > kInsideLimit * frictionLimit(law, force.load) ||
-        (mode.roll == Resistance::Holds && force.roll.norm() > kInsideLimit * rollLimit(law, problem.k, force.load)) ||
-        (mode.spin == Resistance::Holds && std::abs(force.spin) > kInsideLimit * spinLimit(law, problem.k, force.load)))
-      return false;
-    if (mode.slip == Resistance::Slips) force.friction = -frictionLimit(law, force.load) * mode.slip_direction;
-    if (mode.roll == Resistance::Slips) force.roll = -rollLimit(law, problem.k, force.load) * mode.roll_direction;
-    if (mode.spin == Resistance::Slips) force.spin = -spinLimit(law, problem.k, force.load) * mode.spin_direction;
+    const int load = next;
+    forceOf(problem, i, linear.forces, next);
+    const Unknowns direction = linear.internal(load);
+    if (direction.norm() > 1e-6) pressAlong(problem, direction / direction.norm(), 10.0 * scale, slack, linear.forces);
+    margin = marginOf(problem, linear.forces);
   }
+  if (margin <= slack) return false;
+  next = 0;
+  for (std::size_t i = 0; i < problem.count; ++i) forces[i] = forceOf(problem, i, linear.forces, next);
   return true;
 }
 
@@ -294,6 +371,7 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
   {
     sweeper.sweep();
     if (sweeper.change <= kConverged * (scale + sweeper.largest)) return true;
+    if (getenv("DBG2") && i == 300) { fprintf(stderr, "slow change %.3g scale %.3g largest %.3g", sweeper.change, scale, sweeper.largest); for (std::size_t j=0;j<problem.count;++j) fprintf(stderr, " [mu %.3g slip %d roll %d spin %d N %.6g F %.6g T %.6g S %.6g]", problem.law[j]->friction, (int)problem.mode[j].slip,(int)problem.mode[j].roll,(int)problem.mode[j].spin, forces[j].load, forces[j].friction.norm(), forces[j].roll.norm(), forces[j].spin); fprintf(stderr,"\n"); }
     if (!(sweeper.change < 1e9 * scale)) return false;
   }
   return sweeper.change <= kGoodEnough * scale;
