@@ -9,7 +9,7 @@ namespace ping_pong
 {
 /// Motion over [0, h] that follows the command as far as the limits allow: constant linear acceleration, rotation vector
 /// quadratic in time. `from` is where the paddle is and how it moves.
-/// Mode::Pose is a discrete stopping curve: at every tick the largest speed from which it can still stop at the target.
+/// Mode::Pose is a discrete stopping curve: at the end of each h the largest speed from which it can still stop at the target.
 /// @param command  in Mode::Pose the target at s = 0; it moves on with command.twist
 BodyMotion followCommand(const PaddleCommand& command, const DriveLimits& limits, const BodyMotion& from, double start,
                          double h);

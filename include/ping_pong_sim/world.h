@@ -16,7 +16,7 @@ struct StepStatus
   std::size_t contacts = 0;        ///< impacts handled
   std::size_t events = 0;          ///< events handled: impacts, coming to rest, sliding over an edge
   std::size_t squeezed = 0;        ///< balls now caught between bodies with no room left
-  std::size_t blocked_paddles = 0; ///< paddles that a static body stopped
+  std::size_t blocked_paddles = 0; ///< paddles that a static body stopped, each counted once a tick
   std::size_t piled = 0;           ///< balls that are stepped together now, see docs/crowds.md
   bool event_limit = false;        ///< more events than Limits allow: the remaining time was flown without contacts
   bool not_finite = false;         ///< a step of fixed length ended at inf or NaN; that ball keeps its last finite state
@@ -49,8 +49,11 @@ public:
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  /// Moves everything on by `duration` [s]; nothing happens if it is not finite and > 0. One call is one tick: paddles follow their commands with one smooth motion
-  /// per tick (cut into pieces where they meet a body), balls fly, collide, rest.
+  /// Moves everything on by `duration` [s]; nothing happens if it is not finite and > 0. One call is one tick: paddles follow
+  /// their commands, balls fly, collide, rest. While a paddle is at work the tick is cut into equal pieces of at most 5 ms, and
+  /// shorter where a paddle meets a static body. In each piece every paddle has one smooth motion (BodyMotion), at whose end it
+  /// is as near to its command as its limits allow: without limits a commanded velocity is reached in the first piece, however
+  /// long the tick.
   StepStatus advance(double duration);
 
   double time() const;                                  ///< since the start or reset [s]

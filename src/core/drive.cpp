@@ -15,14 +15,14 @@ Vector3d clamped(const Vector3d& x, double length)
   return norm > length ? Vector3d(length / norm * x) : x;
 }
 
-// Velocity at the end of the tick that brings `wanted` nearer within the limits.
+// Velocity at the end of the motion, after h, that brings `wanted` nearer within the limits.
 Vector3d reachable(const Vector3d& now, const Vector3d& wanted, double speed, double acceleration, double h)
 {
   return now + clamped(clamped(wanted, speed) - now, acceleration * h);
 }
 
-// Speed at the end of this tick from which a drive with this acceleration still stops within the distance, braking in
-// whole ticks: v^2/(2 a) + v h = distance.
+// Speed at the end of this motion from which a drive with this acceleration still stops within the distance, braking in
+// whole motions of the same length: v^2/(2 a) + v h = distance.
 double stoppingSpeed(double distance, double acceleration, double h)
 {
   return 2.0 * distance / (h + std::sqrt(h * h + 2.0 * distance / acceleration));
@@ -31,7 +31,7 @@ double stoppingSpeed(double distance, double acceleration, double h)
 // Velocity towards a target `offset` away that itself moves with `target`; `now` is the present velocity.
 Vector3d approach(const Vector3d& offset, const Vector3d& target, const Vector3d& now, double acceleration, double h)
 {
-  const Vector3d ahead = offset - 0.5 * h * (now - target);  // what this tick's present speed covers
+  const Vector3d ahead = offset - 0.5 * h * (now - target);  // what the present speed covers in h
   const double distance = ahead.norm();
   if (distance < kArrived) return target;
   return target + stoppingSpeed(distance, acceleration, h) / distance * ahead;
@@ -45,7 +45,7 @@ Vector3d rotationVector(const Quaterniond& q)
 
 struct WantedTwist
 {
-  Vector3d v, w;  // at the end of the tick
+  Vector3d v, w;  // at the end of the motion
 };
 
 WantedTwist wantedTwist(const PaddleCommand& command, const DriveLimits& limits, const Pose& pose, const Twist& now,

@@ -88,6 +88,7 @@ struct World::Impl : WorldState
   std::size_t space_for = 0;        // balls that there is memory for
 
   void start();
+  void beginTick();
   BallRecord& add(const BallParams& params, const BallState& state);
   void remove(std::size_t index);
   double later(double duration);
@@ -127,6 +128,14 @@ void World::Impl::start()
   if (eventByEvent(method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
   planAll();
   islands.length.estimate(*this);
+}
+
+void World::Impl::beginTick()
+{
+  contacts.clear();
+  origins.clear();
+  status = StepStatus();
+  for (BodyRecord& body : bodies) body.blocked = false;
 }
 
 BallRecord& World::Impl::add(const BallParams& params, const BallState& state)
@@ -219,7 +228,8 @@ double World::Impl::movePaddles(double end)
     const BlockedMotion allowed = stopAtObstacles(body.body.shapes, wanted, h, obstacles, near_obstacles);
     body.motion = allowed.motion;
     h = std::min(h, allowed.duration);
-    status.blocked_paddles += allowed.blocked;
+    if (allowed.blocked && !body.blocked) ++status.blocked_paddles;  // of a paddle, not of each piece of its tick
+    body.blocked |= allowed.blocked;
   }
   for (BodyRecord& body : bodies)
   {
@@ -313,9 +323,7 @@ World& World::operator=(World&&) noexcept = default;
 StepStatus World::advance(double duration)
 {
   Impl& world = *impl_;
-  world.contacts.clear();
-  world.origins.clear();
-  world.status = StepStatus();
+  world.beginTick();
   if (!(duration > 0.0) || !std::isfinite(duration)) return world.status;
   const double end = world.later(duration);
   while (world.time < end)

@@ -126,6 +126,7 @@ struct BodyRecord
   PaddleCommand command;
   bool moving = false;
   bool moved = false;     ///< in the window before
+  bool blocked = false;   ///< a static body has stopped it in this tick
   unsigned version = 0;
   std::vector<Shape> placed;  ///< the shapes in the world frame, for still bodies
   std::vector<Box> boxes;     ///< that contain them

@@ -78,6 +78,46 @@ TEST(Blocking, AndSlidesAlongIt)
   EXPECT_GT(player.p().z(), 0.76);
 }
 
+// A tick is moved in pieces of at most 5 ms, and a turning paddle meets the table piece by piece: still it is one paddle.
+TEST(Blocking, APaddleCountsOnceHoweverLongTheTick)
+{
+  for (const double tick : {0.002, 0.01, 0.02, 0.1})
+    for (const Vector3d& w : {Vector3d(0, 0, 0), Vector3d(1.0, 0.5, 0)})
+    {
+      Player player({{-0.7, 0.0, 0.8}, kFlat});
+      player.move({0.1, 0.0, -1.0}, w);
+      player.world.advance(0.1);  // down to the table
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(player.world.advance(tick).blocked_paddles, 1u) << tick;
+    }
+}
+
+TEST(Blocking, CountsThePaddlesThatAreBlockedNow)
+{
+  Scene scene = loadScene(SCENES_DIR "/paddle.yaml");
+  Body second = scene.bodies[1];
+  second.name = "second";
+  second.pose = {{-0.7, 0.5, 0.78}, kFlat};
+  scene.bodies[1].pose = {{-0.7, -0.5, 0.78}, kFlat};
+  scene.bodies.push_back(second);
+  World world(scene);
+  const auto move = [&](const char* name, double vz)
+  {
+    PaddleCommand command;
+    command.mode = PaddleCommand::Mode::Velocity;
+    command.twist.v.z() = vz;
+    ASSERT_FALSE(world.command(world.findBody(name), command));
+  };
+  move("paddle", -1.0);
+  move("second", -1.0);
+  EXPECT_EQ(world.advance(0.1).blocked_paddles, 2u);
+  move("second", 1.0);
+  world.advance(0.1);
+  EXPECT_EQ(world.advance(0.1).blocked_paddles, 1u);
+  move("paddle", 1.0);
+  world.advance(0.1);
+  EXPECT_EQ(world.advance(0.1).blocked_paddles, 0u);
+}
+
 TEST(Blocking, NoSpeedPassesThroughTheTwoMillimetresOfTheNet)
 {
   for (const double speed : {0.1, 1.0, 10.0, 100.0})

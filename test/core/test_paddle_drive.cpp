@@ -84,6 +84,24 @@ TEST(PaddleDrive, OneLongTickGivesTheSameSwing)
   EXPECT_NEAR(paddle.p().x(), 0.625, 1e-13);
 }
 
+// A tick is moved in equal pieces of at most 5 ms; half of the first one's way is lost to coming to speed.
+TEST(PaddleDrive, WithoutLimitsAVelocityIsReachedInTheFirstPieceOfATick)
+{
+  struct Tick
+  {
+    double length, first_piece;
+  };
+  for (const Tick tick : {Tick{0.002, 0.002}, Tick{0.005, 0.005}, Tick{0.006, 0.003}, Tick{0.012, 0.004}, Tick{0.1, 0.005},
+                          Tick{1.0, 0.005}})
+  {
+    Paddle paddle({kInf, kInf, kInf, kInf});
+    paddle.command(moveAt({3.0, 0.0, 0.0}));
+    paddle.world.advance(tick.length);
+    EXPECT_EQ(paddle.v().x(), 3.0) << tick.length;
+    EXPECT_NEAR(paddle.p().x(), 3.0 * (tick.length - 0.5 * tick.first_piece), 1e-13) << tick.length;  // 200 additions
+  }
+}
+
 TEST(PaddleDrive, AccelerationAndSpeedStayWithinTheLimits)
 {
   Paddle paddle({2.0, 50.0, 10.0, 300.0});
