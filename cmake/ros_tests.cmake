@@ -33,6 +33,7 @@ foreach(name
     scene_switching
     services
     stale_command
+    start_motion
 )
   add_ros_test(${name})
 endforeach()

@@ -55,6 +55,7 @@ foreach(name
     simulate
     paddle_drive
     paddle_blocking
+    start_motion
     choose_method
     flight
     ladder

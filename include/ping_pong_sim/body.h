@@ -30,6 +30,7 @@ struct Body
   BodyKind kind = BodyKind::Static;
   std::vector<Shape> shapes;  ///< in the body frame
   Pose pose;                  ///< X_WB at the start of the scene
+  Twist twist;                ///< (v_WB, w_WB) at the start, kept until the first command; kinematic bodies only, within limits
   DriveLimits limits;         ///< kinematic bodies only
   std::string urdf_path;      ///< file that the shapes came from; empty for the floor
 };

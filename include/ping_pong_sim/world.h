@@ -76,6 +76,7 @@ public:
   const Body& body(std::size_t index) const;
   Pose bodyPose(std::size_t index) const;
   Twist bodyTwist(std::size_t index) const;
+  const PaddleCommand& bodyCommand(std::size_t index) const;  ///< what the body obeys now; static bodies hold
 
   Totals totals() const;
 
@@ -84,9 +85,9 @@ public:
   Refusal spawnBall(const BallParams& params, const BallState& state, BallId* id = nullptr);
   Refusal deleteBall(BallId id);
   Refusal setBallState(BallId id, const BallState& state);
-  /// A jump, not a motion: nothing is hit; balls that the body would cover are put on its surface.
+  /// A jump, not a motion: nothing is hit; balls that the body would cover are put on its surface. A paddle holds still after it.
   Refusal setBodyPose(std::size_t body, const Pose& pose);
-  void reset();
+  void reset();  ///< to the start of the scene, its motions included; commands are forgotten
 
 private:
   struct Impl;

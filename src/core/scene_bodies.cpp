@@ -78,6 +78,15 @@ DriveLimits readLimits(const Field& field)
   return limits;
 }
 
+/// How a paddle starts: a velocity or an angular velocity that its drive can have.
+Vector3d readStart(const Field& field, BodyKind kind, double limit, const std::string& unit)
+{
+  if (kind != BodyKind::Kinematic) field.fail("no motion unless the kind is kinematic");
+  const Vector3d start = field.vector();
+  if (start.norm() > limit) field.fail("at most " + numberText(limit) + " " + unit + ", what the limits of the body allow");
+  return start;
+}
+
 std::string resolveUrdf(const Field& field, const std::string& scene_path)
 {
   const std::filesystem::path folder = std::filesystem::path(scene_path).parent_path();
@@ -115,7 +124,7 @@ std::vector<Shape> readRoom(const Field& field, double growth, std::vector<std::
 
 Body readBody(const Field& field, double growth, Scene& scene)
 {
-  const Map map(field, {"name", "urdf", "room", "kind", "position", "rpy", "limits"});
+  const Map map(field, {"name", "urdf", "room", "kind", "position", "rpy", "velocity", "angular_velocity", "limits"});
   Body body;
   body.name = readName(map.at("name", "the name of the body"), scene.bodies);
   body.kind = readKind(map.at("kind", "static or kinematic"));
@@ -124,6 +133,8 @@ Body readBody(const Field& field, double growth, Scene& scene)
   const Field* limits = map.find("limits");
   if (limits != nullptr && body.kind != BodyKind::Kinematic) limits->fail("no limits unless the kind is kinematic");
   if (limits != nullptr) body.limits = readLimits(*limits);
+  if (const Field* f = map.find("velocity")) body.twist.v = readStart(*f, body.kind, body.limits.speed, "m/s");
+  if (const Field* f = map.find("angular_velocity")) body.twist.w = readStart(*f, body.kind, body.limits.angular_speed, "rad/s");
   if (const Field* room = map.find("room"))
   {
     if (const Field* f = map.find("urdf")) f->failWith("beside room", "either a urdf or a room");

@@ -104,12 +104,17 @@ bool parseNumbers(const std::string& text, std::size_t count, std::vector<double
   return true;
 }
 
-std::string rangeText(double low, double high)
+std::string numberText(double number)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << "a number from " << low << " to " << high;
+  text << number;
   return text.str();
+}
+
+std::string rangeText(double low, double high)
+{
+  return "a number from " + numberText(low) + " to " + numberText(high);
 }
 
 std::string joined(const std::vector<std::string>& words)

@@ -28,6 +28,9 @@ bool parseInteger(const std::string& text, std::uint64_t& number);
 /// Exactly `count` numbers with spaces between them.
 bool parseNumbers(const std::string& text, std::size_t count, std::vector<double>& numbers);
 
+/// With six digits, and a decimal point whatever the locale.
+std::string numberText(double number);
+
 /// "a number from LOW to HIGH"
 std::string rangeText(double low, double high);
 

@@ -56,6 +56,27 @@ BallState normalized(BallState state)
   return state;
 }
 
+// A drive is not faster than its limits, at the start either.
+Vector3d startWithin(double limit, const Vector3d& x)
+{
+  if (!x.allFinite()) return Vector3d::Zero();
+  const double length = x.norm();
+  return length > limit ? Vector3d(limit / length * x) : x;
+}
+
+// A paddle that starts in motion has this motion for its command, so that the paddle keeps it. Scenes built in code may ask for
+// what the loader refuses: a static body stands still all the same, and a paddle starts within its limits.
+void setInMotion(BodyRecord& record)
+{
+  const Body& body = record.body;
+  if (body.kind != BodyKind::Kinematic) return;
+  record.motion.twist = {startWithin(body.limits.speed, body.twist.v), startWithin(body.limits.angular_speed, body.twist.w)};
+  record.moving = !record.motion.still();
+  if (!record.moving) return;
+  record.command.mode = PaddleCommand::Mode::Velocity;
+  record.command.twist = record.motion.twist;
+}
+
 // Whether two balls overlap by more than half of what hasRoom() lets pass.
 bool spheresOverlap(const BallRecord& a, const BallRecord& b, double time)
 {
@@ -121,6 +142,7 @@ void World::Impl::start()
     BodyRecord record;
     record.body = body;
     placeBody(record, body.pose);
+    setInMotion(record);
     bodies.push_back(record);
   }
   for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
@@ -393,6 +415,8 @@ Twist World::bodyTwist(std::size_t index) const
   const BodyMotion& motion = impl_->bodies[index].motion;
   return motion.twistAt(impl_->time - motion.start);
 }
+
+const PaddleCommand& World::bodyCommand(std::size_t index) const { return impl_->bodies[index].command; }
 
 Totals World::totals() const
 {

@@ -4,8 +4,6 @@
 
 namespace ping_pong_sim
 {
-using Mode = ping_pong::PaddleCommand::Mode;
-
 PaddleControl::PaddleControl(ros::NodeHandle& nh, const ping_pong::World& world, std::size_t body,
                              CommandMailbox::FrameNames frames, double timeout, Rejections& rejections)
     : body_(body),
@@ -33,17 +31,11 @@ void PaddleControl::update(ping_pong::World& world, double now)
   }
 }
 
-void PaddleControl::release(ping_pong::World& world)
+void PaddleControl::forget()
 {
   mailbox_.take();
   active_.reset();
   obeyed_at_.reset();
-  world.command(body_, {});
-}
-
-Mode PaddleControl::mode() const
-{
-  return active_ ? active_->command.mode : Mode::Hold;
 }
 
 double PaddleControl::commandAge(double now) const

@@ -18,12 +18,11 @@ public:
 
   /// Before each tick. @param now  simulated time that only grows [s]
   void update(ping_pong::World& world, double now);
-  /// Forgets its command and holds still: after a jump or a reset.
-  void release(ping_pong::World& world);
+  /// Forgets its command: after a jump or a reset. The world has given up the command, too.
+  void forget();
 
   std::size_t body() const { return body_; }
-  ping_pong::PaddleCommand::Mode mode() const;
-  double commandAge(double now) const;  ///< [s]; -1: none since start or release
+  double commandAge(double now) const;  ///< [s]; -1: none since start, jump or reset
 
 private:
   void obey(ping_pong::World& world, const Order& order, double now);

@@ -35,7 +35,7 @@ void Simulation::reset()
   feed_.restart();
   counters_ = {};
   rally_.restart();
-  for (const auto& paddle : paddles_) paddle->release(*world_);
+  for (const auto& paddle : paddles_) paddle->forget();
   if (params_.rewind_clock) clock_.rewind();
 }
 
@@ -55,7 +55,7 @@ void Simulation::releasePaddle(std::size_t body)
 {
   for (const auto& paddle : paddles_)
   {
-    if (paddle->body() == body) paddle->release(*world_);
+    if (paddle->body() == body) paddle->forget();
   }
 }
 

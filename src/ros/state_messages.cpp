@@ -77,7 +77,7 @@ void fillPaddles(const Simulation& simulation, PaddleStates& message)
     paddle.name = world.body(control.body()).name;
     paddle.pose = toPose(world.bodyPose(control.body()));
     paddle.twist = toTwist(world.bodyTwist(control.body()));
-    paddle.mode = toMode(control.mode());
+    paddle.mode = toMode(world.bodyCommand(control.body()).mode);
     paddle.command_age = control.commandAge(simulation.elapsed());
   }
 }

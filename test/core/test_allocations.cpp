@@ -47,6 +47,13 @@ Scene bouncingBalls()
   return builder.build();
 }
 
+Scene bouncingBallsAndAPaddleInMotion()
+{
+  Scene scene = bouncingBalls();
+  scene.bodies.back().twist = {{0.3, 0, 0}, {0, 1.0, 0}};
+  return scene;
+}
+
 PaddleCommand swing(int tick)
 {
   return velocityCommand({tick % 20 < 10 ? 0.5 : -0.5, 0, 0}, {0, 1.0, 0});
@@ -178,6 +185,7 @@ std::vector<long> allocationsOf(const Case& what, Method method)
 }
 
 const Case kCases[] = {{"bouncing balls and a swinging paddle", bouncingBalls, swing, hits},
+                       {"bouncing balls and a paddle that starts in motion", bouncingBallsAndAPaddleInMotion, {}, hits},
                        {"a paddle pushed into the table", paddleAtTheTable, pushDown, stopsThePaddle},
                        {"a squeezed ball", ballUnderThePaddle, press, squeezes},
                        {"balls that roll on a tray that moves", ballsOnATray, shake, letsThemRoll},

@@ -142,6 +142,22 @@ TEST_F(SceneLoader, ReadsBodiesAndPutsTheFloorLast)
   EXPECT_EQ(scene.bodies[2].urdf_path, "");
 }
 
+TEST_F(SceneLoader, ReadsHowAPaddleStarts)
+{
+  const std::string limits = "limits: {speed: 20, acceleration: .inf}";
+  const auto start = [&](const std::string& keys) { return load(edited(kScene, limits, keys)).bodies.at(1).twist; };
+  EXPECT_EQ(start("").v, Vector3d(0, 0, 0));
+  EXPECT_EQ(start("").w, Vector3d(0, 0, 0));
+  EXPECT_EQ(start("velocity: [1, -2, 3e-1]").v, Vector3d(1, -2, 0.3));
+  EXPECT_EQ(start("velocity: [1, -2, 3e-1]").w, Vector3d(0, 0, 0));
+  EXPECT_EQ(start("angular_velocity: [0, 50, -1]").w, Vector3d(0, 50, -1));
+  // Just as fast as the limits allow, be they the default's, wider or infinite; wherever they stand.
+  EXPECT_EQ(start("velocity: [0, 30, 0]").v, Vector3d(0, 30, 0));
+  EXPECT_EQ(start("angular_velocity: [0, 0, 60]").w, Vector3d(0, 0, 60));
+  EXPECT_EQ(start("velocity: [0, 31, 0]\n    limits: {speed: 31}").v, Vector3d(0, 31, 0));
+  EXPECT_EQ(start("limits: {angular_speed: .inf}\n    angular_velocity: [0, 1e6, 0]").w, Vector3d(0, 1e6, 0));
+}
+
 TEST_F(SceneLoader, TurnsBodiesAsUrdfDoes)
 {
   const Scene scene = load(edited(kScene, "rpy: [0, 0, 1.5707963267948966]", "rpy: [0.3, -0.4, 0.5]"));
@@ -508,6 +524,18 @@ const BadScene kBadScenes[] = {
     // not finite
     {"NaN", "[0, 0, 0.5]", "[0, .nan, 0.5]", 8, "bodies[0].position[1]", ".nan", "a finite number"},
     {"infinite position", "[0, 0, 2]", "[0, 0, .inf]", 16, "balls[0].position[2]", ".inf", "a finite number"},
+    {"NaN start", "    rpy:", "    velocity: [0, 0, .nan]\n    rpy:", 13, "bodies[1].velocity[2]", ".nan", "a finite number"},
+    {"infinite start", "    rpy:", "    angular_velocity: [.inf, 0, 0]\n    rpy:", 13, "bodies[1].angular_velocity[0]", ".inf",
+     "a finite number"},
+    {"start of two components", "    rpy:", "    velocity: [1, 2]\n    rpy:", 13, "bodies[1].velocity", "[1, 2]",
+     "three numbers [x, y, z]"},
+    {"start of one number", "    rpy:", "    angular_velocity: 3\n    rpy:", 13, "bodies[1].angular_velocity", "3",
+     "three numbers [x, y, z]"},
+    {"start as text", "    rpy:", "    velocity: [fast, 0, 0]\n    rpy:", 13, "bodies[1].velocity[0]", "fast", "a finite number"},
+    {"start above the limit", "    rpy:", "    velocity: [0, -12, 16.01]\n    rpy:", 13, "bodies[1].velocity", "[0, -12, 16.01]",
+     "at most 20 m/s, what the limits of the body allow"},
+    {"turn above the default limit", "    rpy:", "    angular_velocity: [0, 0, 60.01]\n    rpy:", 13, "bodies[1].angular_velocity",
+     "[0, 0, 60.01]", "at most 60 rad/s, what the limits of the body allow"},
     {"overflow", "[0, 0, 2]", "[0, 0, 1e999]", 16, "balls[0].position[2]", "1e999", "a finite number"},
     {"NaN limit", "speed: 20", "speed: .nan", 14, "bodies[1].limits.speed", ".nan", "a number > 0 or .inf"},
     {"infinite velocity", "3e-1", "-.inf", 17, "balls[0].velocity[2]", "-.inf", "a finite number"},
@@ -561,6 +589,10 @@ const BadScene kBadScenes[] = {
     {"kind", "kind: static", "kind: dynamic", 7, "bodies[0].kind", "dynamic", "static or kinematic"},
     {"limits of furniture", "    kind: static\n", "    kind: static\n    limits: {}\n", 8, "bodies[0].limits", "a map",
      "no limits unless"},
+    {"furniture in motion", "    kind: static\n", "    kind: static\n    velocity: [0, 0, 0]\n", 8, "bodies[0].velocity",
+     "[0, 0, 0]", "no motion unless the kind is kinematic"},
+    {"furniture that turns", "    kind: static\n", "    angular_velocity: [0, 0, 1]\n    kind: static\n", 7,
+     "bodies[0].angular_velocity", "[0, 0, 1]", "no motion unless the kind is kinematic"},
     {"pattern and more", "- random: {", "- mass: 1\n    random: {", 24, "balls[2].mass", "unknown key",
      "one of random"},
     // names
