@@ -38,6 +38,7 @@ function(add_core_test name)
   target_include_directories(${target} PRIVATE test/core src/core)
   target_compile_definitions(${target} PRIVATE
     SCENES_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/scenes"
+    COMMANDS_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/commands"
     URDF_DIR="${CMAKE_CURRENT_SOURCE_DIR}/urdf"
     SIMULATE="$<TARGET_FILE:${PROJECT_NAME}_simulate>"
     VALIDATE="$<TARGET_FILE:${PROJECT_NAME}_validate>"
@@ -53,6 +54,7 @@ foreach(name
     shipped_scenes
     urdf_loader
     simulate
+    command_file
     paddle_drive
     paddle_blocking
     start_motion
@@ -103,6 +105,7 @@ foreach(name allocations pooled)
   target_sources(${PROJECT_NAME}_test_${name} PRIVATE test/core/allocations.cpp)
 endforeach()
 
+target_sources(${PROJECT_NAME}_test_command_file PRIVATE src/apps/command_file.cpp src/apps/line_reader.cpp)
 target_sources(${PROJECT_NAME}_test_quiet_time PRIVATE bench/crowd/quiet_time.cpp)
 target_include_directories(${PROJECT_NAME}_test_quiet_time PRIVATE bench/crowd)
 

@@ -6,8 +6,10 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 
+#include "command_queue.h"
 #include "csv_file.h"
 #include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/scene_loader.h"
@@ -40,6 +42,16 @@ struct Report
   double trouble_since = -1.0;  ///< simulated time of the first flag; negative: none [s]
 };
 
+/// What a run moves on, and where it writes.
+struct Run
+{
+  World& world;
+  CommandQueue& commands;
+  CsvFile& balls;
+  CsvFile* contacts;  ///< null: they are not written
+  Report report;
+};
+
 Scene prepareScene(const SimulateOptions& options)
 {
   LoadOptions load_options;
@@ -52,6 +64,25 @@ Scene prepareScene(const SimulateOptions& options)
   if (options.tolerance) scene.tolerance = *options.tolerance;
   if (options.threads) scene.threads = *options.threads;
   return scene;
+}
+
+std::vector<TimedCommand> prepareCommands(const SimulateOptions& options, const Scene& scene)
+{
+  return options.commands_path.empty() ? std::vector<TimedCommand>() : readCommands(options.commands_path, scene.bodies);
+}
+
+/// What has just been read shall not be written over, by whatever name.
+void checkIsNoInput(const std::string& path, const SimulateOptions& options, const Scene& scene)
+{
+  const auto check = [&path](const std::string& input, const std::string& what)
+  {
+    std::error_code none;  // a file that is not there is no input
+    if (!input.empty() && std::filesystem::equivalent(path, input, none))
+      throw UsageError("--contacts: " + path + ": expected another file than " + what);
+  };
+  check(scene.path, "the scene");
+  check(options.commands_path, "the commands");
+  for (const Body& body : scene.bodies) check(body.urdf_path, "the URDF of " + body.name);
 }
 
 void writeHeader(CsvFile& file, const char* header)
@@ -95,11 +126,13 @@ void writeContacts(const World& world, CsvFile& file)
   }
 }
 
-void advanceTo(double time, World& world, Report& report)
+/// One tick.
+void tickTo(double time, Run& run)
 {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
-  const StepStatus status = world.advance(std::max(time - world.time(), 0.0));  // rounding does not pile up
+  const StepStatus status = run.world.advance(std::max(time - run.world.time(), 0.0));  // rounding does not pile up
+  Report& report = run.report;
   report.wall += std::chrono::duration<double>(Clock::now() - begin).count();
   report.contacts += status.contacts;
   report.events += status.events;
@@ -107,27 +140,32 @@ void advanceTo(double time, World& world, Report& report)
   report.event_limit |= status.event_limit;
   report.not_finite |= status.not_finite;
   if (!status.ok() && report.trouble_since < 0.0) report.trouble_since = time;
+  if (run.contacts != nullptr) writeContacts(run.world, *run.contacts);
 }
 
-Report run(const SimulateOptions& options, World& world, CsvFile& balls, CsvFile* contacts)
+/// A command acts at its own time: a tick ends there, and another one begins.
+void advanceTo(double time, Run& run)
 {
-  Report report;
-  report.energy_start = world.totals().energy();
+  while (run.commands.nextTime() < time)
+  {
+    tickTo(run.commands.nextTime(), run);
+    run.commands.give(run.world);
+  }
+  tickTo(time, run);
+}
+
+void runWhole(const SimulateOptions& options, Run& run)
+{
+  run.report.energy_start = run.world.totals().energy();
   // A duration such as 0.3 s at 10 Hz has three rows after the first, though 0.3 * 10 may round below 3.
   const auto rows = static_cast<std::uint64_t>(*options.duration * options.rate * (1.0 + 1e-12));
   for (std::uint64_t k = 0; k <= rows; ++k)
   {
     const double time = static_cast<double>(k) / options.rate;
-    if (k > 0) advanceTo(time, world, report);
-    writeBalls(world, time, balls);
-    if (contacts != nullptr && k > 0) writeContacts(world, *contacts);
+    if (k > 0) advanceTo(time, run);
+    writeBalls(run.world, time, run.balls);
   }
-  if (world.time() < *options.duration)  // the rest, shorter than a row
-  {
-    advanceTo(*options.duration, world, report);
-    if (contacts != nullptr) writeContacts(world, *contacts);
-  }
-  return report;
+  if (run.world.time() < *options.duration) advanceTo(*options.duration, run);  // the rest, shorter than a row
 }
 
 std::string statusText(const Report& report)
@@ -140,8 +178,10 @@ std::string statusText(const Report& report)
   return "not ok:" + text + ", first at t <= " + std::to_string(report.trouble_since) + " s";
 }
 
-void printSummary(const SimulateOptions& options, const World& world, const Report& report)
+void printSummary(const SimulateOptions& options, const Run& run)
 {
+  const World& world = run.world;
+  const Report& report = run.report;
   const double ball_seconds = static_cast<double>(world.ballCount()) * *options.duration;
   std::fprintf(stderr, "scene %s, method %s, %zu balls, %g s simulated\n", world.scene().name.c_str(),
                name(world.method()), world.ballCount(), *options.duration);
@@ -150,6 +190,9 @@ void printSummary(const SimulateOptions& options, const World& world, const Repo
   std::fprintf(stderr, "cost %.6g s wall, %.4g us per ball and simulated second, %.4g x real time\n", report.wall,
                ball_seconds > 0.0 ? 1e6 * report.wall / ball_seconds : 0.0, *options.duration / report.wall);
   std::fprintf(stderr, "contacts %zu, events %zu\n", report.contacts, report.events);
+  if (run.commands.size() > 0)
+    std::fprintf(stderr, "commands %zu given, %zu left at the end\n", run.commands.given(),
+                 run.commands.size() - run.commands.given());
   std::fprintf(stderr, "energy %.9g J at start, %.9g J at end\n", report.energy_start, world.totals().energy());
   std::fprintf(stderr, "state hash %016" PRIx64 "\n", stateHash(world));
   std::fprintf(stderr, "status %s\n", statusText(report).c_str());
@@ -158,6 +201,8 @@ void printSummary(const SimulateOptions& options, const World& world, const Repo
 ExitStatus simulate(const SimulateOptions& options)
 {
   World world(prepareScene(options));
+  CommandQueue commands(prepareCommands(options, world.scene()));  // checked to the last line before anything is written
+  if (!options.contacts_path.empty()) checkIsNoInput(options.contacts_path, options, world.scene());
   CsvFile balls;
   std::unique_ptr<CsvFile> contacts;
   if (!options.contacts_path.empty()) contacts = std::make_unique<CsvFile>(options.contacts_path);
@@ -167,11 +212,12 @@ ExitStatus simulate(const SimulateOptions& options)
                 "t,ball,other,px,py,pz,nx,ny,nz,vx_before,vy_before,vz_before,vx_after,vy_after,vz_after,"
                 "wx_before,wy_before,wz_before,wx_after,wy_after,wz_after,vx_other,vy_other,vz_other,Jx,Jy,Jz");
   world.keepContacts(contacts != nullptr);
-  const Report report = run(options, world, balls, contacts.get());
+  Run run{world, commands, balls, contacts.get(), {}};
+  runWhole(options, run);
   balls.close();
   if (contacts) contacts->close();
-  printSummary(options, world, report);
-  return report.trouble_since < 0.0 ? kWhole : kWorldNotOk;
+  printSummary(options, run);
+  return run.report.trouble_since < 0.0 ? kWhole : kWorldNotOk;
 }
 
 ExitStatus simulateOrHelp(int argc, char** argv)

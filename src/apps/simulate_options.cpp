@@ -16,8 +16,8 @@ const option kOptions[] = {
     {"method", required_argument, nullptr, 'm'},   {"dt", required_argument, nullptr, 't'},
     {"tolerance", required_argument, nullptr, 'e'}, {"seed", required_argument, nullptr, 's'},
     {"balls", required_argument, nullptr, 'b'},    {"threads", required_argument, nullptr, 'n'},
-    {"contacts", required_argument, nullptr, 'c'}, {"help", no_argument, nullptr, 'h'},
-    {nullptr, 0, nullptr, 0},
+    {"contacts", required_argument, nullptr, 'c'}, {"commands", required_argument, nullptr, 'k'},
+    {"help", no_argument, nullptr, 'h'},           {nullptr, 0, nullptr, 0},
 };
 
 [[noreturn]] void fail(const std::string& option, const std::string& value, const std::string& expected)
@@ -103,6 +103,9 @@ void apply(int letter, const std::string& value, const std::string& word, Simula
     case 'c':
       options.contacts_path = fileName("--contacts", value);
       break;
+    case 'k':
+      options.commands_path = fileName("--commands", value);
+      break;
     case 'h':
       options.help = true;
       break;
@@ -134,6 +137,7 @@ const std::string kSimulateHelp =
     "  --balls N         of the random pattern, instead of the scene's; its room grows or shrinks with them\n"
     "  --threads N       that share a crowd, instead of the scene's; the output is the same for any number\n"
     "  --contacts FILE   writes each impact as CSV to FILE\n"
+    "  --commands FILE   moves paddles by the commands in this CSV file, each at its time; config/commands/README.md\n"
     "  --help            this text\n"
     "Exit status: 0 the run is whole; 1 output could not be written; 2 bad input; 3 the world reported a problem.\n";
 

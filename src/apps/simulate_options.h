@@ -29,6 +29,7 @@ struct SimulateOptions
   std::optional<std::size_t> balls;   ///< of the random pattern, instead of the scene's
   std::optional<std::size_t> threads; ///< instead of the scene's
   std::string contacts_path;          ///< empty: contacts are not written
+  std::string commands_path;          ///< empty: paddles have no commands
   bool help = false;
 };
 

@@ -186,6 +186,153 @@ TEST(Simulate, CountsAContactAfterTheLastRow)
   EXPECT_EQ(lines(textOf(path)).size(), 2u);
 }
 
+const std::string kCommandHeader = "time,body,mode,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,ax,ay,az,alphax,alphay,alphaz\n";
+const std::string kNoValues(19, ',');
+
+std::string shippedSwing()
+{
+  return std::string("'") + COMMANDS_DIR + "/swing.csv'";
+}
+
+/// Rows of the contacts file that tell of this body.
+std::vector<std::string> contactsWith(const std::string& body, const std::string& contacts)
+{
+  std::vector<std::string> rows;
+  for (const std::string& row : lines(contacts))
+    if (cells(row)[2] == body) rows.push_back(row);
+  return rows;
+}
+
+// A paddle alone in front of a ball that stands still: what the ball is hit by tells how the paddle has moved.
+constexpr char kStandingBall[] = R"(bodies:
+  - {name: bat, urdf: bat.urdf, kind: kinematic, limits: {speed: .inf, acceleration: .inf}}
+balls: [{position: [0.53, 0, 0]}]
+surfaces: [{pair: [any, any], restitution: 0.5}]
+)";
+constexpr char kPlateUrdf[] = R"(<robot name="bat"><link name="bat">
+  <collision><geometry><box size="0.02 0.2 0.2"/></geometry></collision>
+</link></robot>
+)";
+
+class Commanded : public ::testing::Test
+{
+protected:
+  Commanded()
+  {
+    folder_.write("bat.urdf", kPlateUrdf);
+    folder_.write("scene.yaml", kStandingBall);
+  }
+  Output run(const std::string& rows, const std::string& arguments)
+  {
+    folder_.write("commands.csv", kCommandHeader + rows);
+    std::filesystem::remove(contacts());
+    return simulate("'" + folder_.path("scene.yaml") + "' --commands '" + folder_.path("commands.csv") + "' --contacts '" +
+                    contacts() + "' " + arguments);
+  }
+  std::string contacts() const { return folder_.path("contacts.csv"); }
+
+  TempFolder folder_;
+};
+
+TEST_F(Commanded, AccelerationsActFromTheirVeryInstantsOn)
+{
+  // The bat's face has 0.5 m to the ball, first with 4 m/s^2 and then with 1 m/s^2.
+  const double t0 = 0.1234567, t1 = 0.3, v1 = 4.0 * (t1 - t0), x1 = 2.0 * (t1 - t0) * (t1 - t0);
+  const double v = std::sqrt(v1 * v1 + 2.0 * (0.5 - x1));
+  for (const std::string rate : {"1", "10", "333"})
+  {
+    const Output output = run("0.1234567,bat,acceleration,,,,,,,,,,,,,,4,0,0,0,0,0\n"
+                              "0.3,bat,acceleration,,,,,,,,,,,,,,1,0,0,0,0,0\n", "--duration 1 --rate " + rate);
+    EXPECT_EQ(output.status, 0) << output.err;
+    const std::vector<std::string> hits = contactsWith("bat", textOf(contacts()));
+    ASSERT_EQ(hits.size(), 1u) << rate;
+    EXPECT_NEAR(number(hits[0], 0), t1 + v - v1, 1e-12) << rate;
+    EXPECT_NEAR(number(hits[0], 21), v, 1e-12) << rate;  // vx_other
+    EXPECT_EQ(lines(output.out).size(), 2u + static_cast<std::size_t>(std::stoi(rate))) << "rows stay where they are";
+  }
+}
+
+TEST_F(Commanded, CommandsAtZeroPrecedeTheFirstTickAndEachHoldsUntilTheNext)
+{
+  // Without limits a velocity is there after the first piece of 2 ms, and of 1 ms at the second command.
+  const Output output = run("0,bat,velocity,,,,,,,,1,0,0,0,0,0,,,,,,\n"
+                            "0.201,bat,velocity,,,,,,,,3,0,0,0,0,0,,,,,,\n"
+                            "0.5,bat,hold" + kNoValues + "\n", "--duration 0.5 --rate 500");
+  EXPECT_EQ(output.status, 0) << output.err;
+  const std::vector<std::string> hits = contactsWith("bat", textOf(contacts()));
+  ASSERT_EQ(hits.size(), 1u);
+  const double left = 0.5 - 1.0 * (0.201 - 0.001) + 3.0 * 0.5e-3 - 0.5e-3;  // at 3 m/s, and the ramp of 1 ms from 1 m/s
+  EXPECT_NEAR(number(hits[0], 0), 0.201 + left / 3.0, 1e-12);
+  EXPECT_NEAR(number(hits[0], 21), 3.0, 1e-12);
+  EXPECT_NE(output.err.find("commands 2 given, 1 left at the end\n"), std::string::npos) << output.err;
+}
+
+TEST_F(Commanded, APoseIsReachedAndTheBallPushedOnTheWay)
+{
+  run("0.1,bat,pose,1,0,0,1,0,0,0,0,0,0,0,0,0,,,,,,\n", "--duration 0.2 --rate 100");
+  EXPECT_GE(contactsWith("bat", textOf(contacts())).size(), 1u);
+  run("0.1,bat,pose,-1,0,0,1,0,0,0,0,0,0,0,0,0,,,,,,\n", "--duration 0.2 --rate 100");
+  EXPECT_EQ(contactsWith("bat", textOf(contacts())).size(), 0u);
+}
+
+TEST_F(Commanded, BadCommandsLeaveNoOutput)
+{
+  const Output output = run("0,bat,hold" + kNoValues + "\n0.5,bat,dance" + kNoValues + "\n", "--duration 1");
+  EXPECT_EQ(output.status, 2);
+  EXPECT_EQ(output.out, "");
+  EXPECT_EQ(output.err, "simulate: " + folder_.path("commands.csv") +
+                            ":3: mode: dance: expected one of hold, acceleration, velocity, pose\n");
+  EXPECT_FALSE(std::filesystem::exists(contacts()));
+}
+
+TEST(Simulate, ReturnsTheServeByTheShippedSwing)
+{
+  const TempFolder folder;
+  const std::string contacts = folder.path("contacts.csv");
+  const Output output =
+      simulate(shipped("rally") + " --duration 1.4 --commands " + shippedSwing() + " --contacts '" + contacts + "'");
+  EXPECT_EQ(output.status, 0) << output.err;
+  EXPECT_NE(output.err.find("commands 3 given, 0 left at the end\n"), std::string::npos) << output.err;
+  const std::vector<std::string> hits = contactsWith("paddle", textOf(contacts)), bounces = contactsWith("table", textOf(contacts));
+  ASSERT_EQ(hits.size(), 1u);
+  ASSERT_EQ(bounces.size(), 3u);
+  EXPECT_EQ(lines(textOf(contacts)).size(), 1u + 4u);
+  const double swing = number(hits[0], 0) - 0.64;
+  EXPECT_NEAR(number(hits[0], 0), 0.729, 5e-4);  // as the file says, to its last digit
+  EXPECT_NEAR(number(hits[0], 21), 20.0 * swing, 1e-12);
+  EXPECT_NEAR(number(hits[0], 23), 5.0 * swing, 1e-12);
+  EXPECT_NEAR(number(bounces[2], 0), 1.298, 5e-4);
+  EXPECT_NEAR(number(bounces[2], 3), 1.17, 5e-3);
+}
+
+TEST(Simulate, WithoutCommandsNothingChangesAndNothingIsSaidOfThem)
+{
+  EXPECT_EQ(simulate(shipped("rally") + " --duration 0.1").err.find("commands"), std::string::npos);
+}
+
+TEST(Simulate, DoesNotWriteContactsOverWhatItReads)
+{
+  const TempFolder folder;
+  const std::string scene = folder.write("scene.yaml", kStandingBall), urdf = folder.write("bat.urdf", kPlateUrdf);
+  const std::string commands = folder.write("commands.csv", kCommandHeader + "0,bat,hold" + kNoValues + "\n");
+  std::filesystem::create_symlink("scene.yaml", folder.path("link"));
+  std::filesystem::create_hard_link(commands, folder.path("twin"));
+  const std::pair<std::string, std::string> cases[] = {{"scene.yaml", "the scene"},     {"link", "the scene"},
+                                                       {"./scene.yaml", "the scene"},   {"commands.csv", "the commands"},
+                                                       {"twin", "the commands"},        {"bat.urdf", "the URDF of bat"}};
+  for (const auto& [name, what] : cases)
+  {
+    const std::string path = folder.path(name);
+    const Output output = simulate("'" + scene + "' --duration 1 --commands '" + commands + "' --contacts '" + path + "'");
+    EXPECT_EQ(output.status, 2) << path;
+    EXPECT_EQ(output.out, "") << path;
+    EXPECT_EQ(output.err, "simulate: --contacts: " + path + ": expected another file than " + what + "\n");
+  }
+  EXPECT_EQ(textOf(scene), kStandingBall);
+  EXPECT_EQ(textOf(urdf), kPlateUrdf);
+  EXPECT_EQ(lines(textOf(commands)).size(), 2u);
+}
+
 TEST(Simulate, SummarisesOnStandardError)
 {
   const Output output = simulate(shipped("arc") + " --duration 0.5");
@@ -227,7 +374,8 @@ TEST(Simulate, ExplainsItself)
 {
   const Output output = simulate("--help");
   EXPECT_EQ(output.status, 0);
-  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--balls", "--threads", "--contacts"})
+  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--balls", "--threads", "--contacts",
+                             "--commands"})
     EXPECT_NE(output.out.find(option), std::string::npos) << option;
   for (const Method method : kMethods) EXPECT_NE(output.out.find(name(method)), std::string::npos) << name(method);
   EXPECT_NE(output.out.find("auto"), std::string::npos);
@@ -253,6 +401,8 @@ TEST(Simulate, RefusesBadInputWithOneLineAndStatusTwo)
       {arc + " --duration 1 --threads 65", "--threads: 65: expected an integer from 1 to 64"},
       {arc + " --duration 1 --balls 1e3", "--balls: 1e3: expected an integer from 1 to 100000"},
       {arc + " --duration 1 --contacts ''", "--contacts: nothing: expected"},
+      {arc + " --duration 1 --commands ''", "--commands: nothing: expected a file name"},
+      {arc + " --duration 1 --commands /no/file", "/no/file:1: commands: No such file or directory: expected a regular file"},
       {arc + " --duration 1 --fast", "--fast: unknown option: expected"},
       {arc + " --duration 1 -q", "-q: unknown option: expected"},
       {arc + " --duration 1 --tolerance 1", "--tolerance: 1: expected a number from 1e-12 to 0.1"},
