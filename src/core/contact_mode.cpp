@@ -7,6 +7,7 @@
 #include "fixed_flight.h"
 #include "ping_pong_sim/evolve.h"
 #include "resting/held_piece.h"
+#include "streak.h"
 
 namespace ping_pong
 {
@@ -48,12 +49,15 @@ Gap gapOver(const WorldState& world, const BallRecord& ball, const Supports::Sur
                      : gapTo(shape, state.p_WB, state.v_WB, radius);
 }
 
-bool touches(const Gap& gap) { return std::abs(gap.gap) <= kKeepGap && std::abs(gap.rate) <= kKeepSpeed; }
+// Where surfaces throw the ball at each other without end, small impacts are taken by all that it touches.
+double keepSpeed(const BallRecord& ball) { return ball.streak > kLongStreak ? kDeadSpeed : kKeepSpeed; }
+
+bool touches(const Gap& gap, double keep_speed) { return std::abs(gap.gap) <= kKeepGap && std::abs(gap.rate) <= keep_speed; }
 
 // The ball is put on the surface and moves along it; false if it is off the surface or moves away or into it.
-bool projectOn(const Gap& gap, BallState& ball)
+bool projectOn(const Gap& gap, double keep_speed, BallState& ball)
 {
-  if (!touches(gap)) return false;
+  if (!touches(gap, keep_speed)) return false;
   ball.p_WB -= gap.gap * gap.n_W;
   ball.v_WB -= gap.rate * gap.n_W;
   return true;
@@ -71,7 +75,7 @@ void projectOnAll(const WorldState& world, const BallRecord& ball, BallState& st
     for (std::size_t i = 0; i < ball.supports.count(); ++i)
     {
       const Gap gap = gapOver(world, ball, ball.supports[i], state, t);
-      if (projectOn(gap, state) && (std::abs(gap.gap) > tolerance || std::abs(gap.rate) > 1e-16)) shift = 1.0;
+      if (projectOn(gap, keepSpeed(ball), state) && (std::abs(gap.gap) > tolerance || std::abs(gap.rate) > 1e-16)) shift = 1.0;
     }
   }
 }
@@ -79,7 +83,7 @@ void projectOnAll(const WorldState& world, const BallRecord& ball, BallState& st
 void dropSurfacesLeft(const WorldState& world, BallRecord& ball, BallState& state, double t)
 {
   for (std::size_t i = ball.supports.count(); i-- > 0;)
-    if (!projectOn(gapOver(world, ball, ball.supports[i], state, t), state)) ball.supports.remove(i);
+    if (!projectOn(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball), state)) ball.supports.remove(i);
   projectOnAll(world, ball, state, t);
 }
 
@@ -325,7 +329,7 @@ Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball,
   HeldBall held = heldBall(world, ball, state.p_WB, t);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < held.count; ++i)
-    if (touches(gapOver(world, ball, ball.supports[i], state, t))) held.surface[kept++] = held.surface[i];
+    if (touches(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball))) held.surface[kept++] = held.surface[i];
   held.count = kept;
   return decide(held, motionOf(state, held.radius), t, 0.0).motion.a;
 }

@@ -23,7 +23,6 @@ namespace
 {
 constexpr double kSqueezeGap = 2e-5;   // room left to a ball that counts as squeezed [m]
 constexpr double kOpposed = -0.999;    // cosine between normals of squeezing surfaces
-constexpr double kDeadSpeed = 1e-4;    // leaving more slowly in a long streak, a ball no longer bounces [m/s]
 constexpr std::size_t kEventsPerAdvance = 1000000;
 constexpr std::size_t kEventsPerBall = 10000;
 

@@ -10,6 +10,7 @@ namespace ping_pong
 inline constexpr double kStreakTime = 1e-5;       // [s]
 inline constexpr double kStreakForgotten = 1e-3;  // a streak ends when nothing happens for so long [s]
 inline constexpr int kLongStreak = 64;
+inline constexpr double kDeadSpeed = 1e-4;  // leaving a body more slowly in a long streak, a ball no longer bounces [m/s]
 // Contacts that follow each other faster than this are a crush: a moving paddle leaves hardly any room.
 inline constexpr double kCrushTime = 1e-7;        // [s]
 inline constexpr int kHopelessCrush = 10000;

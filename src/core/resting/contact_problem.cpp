@@ -13,6 +13,7 @@ namespace ping_pong
 namespace
 {
 constexpr int kMaxSweeps = 1000;
+constexpr int kPatience = 100;
 constexpr double kConverged = 4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
 constexpr double kGoodEnough = 1e-4;  // where sweeps come to their end slowly; where there is no end they grow
 constexpr double kRounding = 1e-11;   // accelerations below this part of the scale are none
@@ -252,6 +253,7 @@ double marginOf(const ContactProblem& problem, const Unknowns& forces)
   for (std::size_t i = 0; i < problem.count; ++i)
   {
     const SupportMode& mode = problem.mode[i];
+    if (!mode.loaded) continue;
     const Surface& law = *problem.law[i];
     const SupportForce force = forceOf(problem, i, forces, next);
     margin = std::min(margin, force.load);
@@ -289,20 +291,35 @@ void pressAlong(const ContactProblem& problem, const Unknowns& direction, double
   if (std::max(f1, f2) > marginOf(problem, forces)) forces += best * direction;
 }
 
-// If all supports carry loads, and all that may hold holds: whether the forces that this takes are there.
-bool allHold(ContactProblem problem, BallAcceleration& motion, SupportForces& forces)
+bool respectsOthers(const ContactProblem& problem, const BallAcceleration& motion, double slack)
 {
-  for (std::size_t i = 0; i < problem.count; ++i) problem.mode[i].loaded = true;
-  LinearProblem linear(problem);
-  motion = linear.solve(problem);
-  const double scale = scaleOf(problem), slack = kRounding * scale;
+  for (std::size_t i = 0; i < problem.count; ++i)
+    if (!problem.mode[i].loaded && problem.at[i].n.dot(motion.a) < problem.at[i].least - slack) return false;
+  return true;
+}
+
+bool pressesOnAll(const ContactProblem& problem, const Unknowns& forces, double slack)
+{
   int next = 0;
   for (std::size_t i = 0; i < problem.count; ++i)
-    if (!(forceOf(problem, i, linear.forces, next).load > slack)) return false;
+    if (problem.mode[i].loaded && !(forceOf(problem, i, forces, next).load > slack)) return false;
+  return true;
+}
+
+// If the supports that are marked as loaded are, and all that may hold there holds: whether the forces that this takes exist.
+// @param squeezed  even where supports carry loads only because they press on each other through the ball
+bool allHold(const ContactProblem& problem, bool squeezed, BallAcceleration& motion, SupportForces& forces)
+{
+  LinearProblem linear(problem);
+  if (linear.count == 0) return false;
+  const BallAcceleration held = linear.solve(problem);
+  const double scale = scaleOf(problem), slack = kRounding * scale;
+  if (!respectsOthers(problem, held, slack) || !(squeezed || pressesOnAll(problem, linear.forces, slack))) return false;
   double margin = marginOf(problem, linear.forces);
-  next = 0;
+  int next = 0;
   for (std::size_t i = 0; i < problem.count && margin <= slack && linear.redundant; ++i)
   {
+    if (!problem.mode[i].loaded) continue;
     const int load = next;
     forceOf(problem, i, linear.forces, next);
     const Unknowns direction = linear.internal(load);
@@ -310,9 +327,17 @@ bool allHold(ContactProblem problem, BallAcceleration& motion, SupportForces& fo
     margin = marginOf(problem, linear.forces);
   }
   if (margin <= slack) return false;
+  motion = held;
   next = 0;
-  for (std::size_t i = 0; i < problem.count; ++i) forces[i] = forceOf(problem, i, linear.forces, next);
+  for (std::size_t i = 0; i < problem.count; ++i)
+    forces[i] = problem.mode[i].loaded ? forceOf(problem, i, linear.forces, next) : SupportForce();
   return true;
+}
+
+ContactProblem withLoads(ContactProblem problem, const SupportForces* forces, double slack)
+{
+  for (std::size_t i = 0; i < problem.count; ++i) problem.mode[i].loaded = !forces || (*forces)[i].load > slack;
+  return problem;
 }
 
 // The commonest case, one support without rolling resistance or spin friction, has a closed form.
@@ -362,7 +387,7 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
 {
   for (std::size_t i = 0; i < problem.count; ++i)
     if (problem.mode[i].slip != Resistance::None) count(Law::Friction);
-  if (allHold(problem, motion, forces)) return true;
+  if (allHold(withLoads(problem, nullptr, 0.0), false, motion, forces)) return true;
   const double scale = scaleOf(problem);
   motion = problem.free;
   for (std::size_t i = 0; i < problem.count; ++i) forces[i] = SupportForce();
@@ -371,6 +396,8 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
   {
     sweeper.sweep();
     if (sweeper.change <= kConverged * (scale + sweeper.largest)) return true;
+    // Sweeps that come to the border of what can be held do so without end.
+    if (i == kPatience && allHold(withLoads(problem, &forces, kRounding * scale), true, motion, forces)) return true;
     if (getenv("DBG2") && i == 300) { fprintf(stderr, "slow change %.3g scale %.3g largest %.3g", sweeper.change, scale, sweeper.largest); for (std::size_t j=0;j<problem.count;++j) fprintf(stderr, " [mu %.3g slip %d roll %d spin %d N %.6g F %.6g T %.6g S %.6g]", problem.law[j]->friction, (int)problem.mode[j].slip,(int)problem.mode[j].roll,(int)problem.mode[j].spin, forces[j].load, forces[j].friction.norm(), forces[j].roll.norm(), forces[j].spin); fprintf(stderr,"\n"); }
     if (!(sweeper.change < 1e9 * scale)) return false;
   }
