@@ -222,6 +222,7 @@ void removeSupport(std::size_t i, BallRecord& ball, HeldBall& held, Decision& de
     problem.law[k] = problem.law[k + 1];
     problem.at[k] = problem.at[k + 1];
     problem.mode[k] = problem.mode[k + 1];
+    decision.forces[k] = decision.forces[k + 1];
   }
   --held.count;
   --problem.count;
@@ -310,6 +311,7 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
   else
     moveOnPiece(world, ball, held, decision, motion, t, window_end, next_piece);
   if (getenv("DBG")) {
+    { const Vector3d g = world.scene.forces.gravity; fprintf(stderr, "E %.12g ", 0.5*motion.v.squaredNorm() + 0.5*held.k*motion.s.squaredNorm() - g.dot(motion.p)); }
     fprintf(stderr, "plan t=%.15g end=%.15g (%.3g) short %u answered %d steady %d ", t, ball.path.end, ball.path.end - t, ball.supports.shortPaths(), decision.answered, steady(held, decision, motion));
     for (std::size_t i = 0; i < held.count; ++i) { const auto& m = decision.problem.mode[i]; const auto& a = decision.problem.at[i];
       fprintf(stderr, " [b%d s%d f%d%d%d loaded %d slip %d %.3g roll %d %.3g spin %d %.3g N %.4g F %.4g]", ball.supports[i].body, ball.supports[i].shape, held.surface[i].feature.x, held.surface[i].feature.y, held.surface[i].feature.z, m.loaded, (int)m.slip, a.slip.norm(), (int)m.roll, a.roll.norm(), (int)m.spin, a.spin, decision.forces[i].load, decision.forces[i].friction.norm()); }

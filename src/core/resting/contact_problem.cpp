@@ -141,10 +141,11 @@ struct LinearProblem
   bool redundant = false;  // there are forces that the motion does not feel
 
   explicit LinearProblem(const ContactProblem& problem);
-  // Several sticking contacts hold each other: of such forces, which the motion does not feel, the least.
-  BallAcceleration solve(const ContactProblem& problem);
-  // The forces nearest to this one alone that the motion does not feel.
+  // Several sticking contacts hold each other: of all forces that will do, the nearest to these.
+  void solve(const ContactProblem& problem, const SupportForces& near);
+  // The forces nearest to this one alone that hold each other.
   Unknowns internal(int unknown) const;
+  BallAcceleration motion(const ContactProblem& problem) const;
 
   Equations matrix;
   Eigen::CompleteOrthogonalDecomposition<Equations> decomposition;
@@ -200,18 +201,46 @@ LinearProblem::LinearProblem(const ContactProblem& problem)
     if (problem.mode[i].loaded) addSupport(problem, i, *this);
 }
 
-BallAcceleration LinearProblem::solve(const ContactProblem& problem)
+Unknowns unknownsOf(const ContactProblem& problem, const SupportForces& forces)
+{
+  Unknowns list(kMost);
+  int next = 0;
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    const SupportMode& mode = problem.mode[i];
+    if (!mode.loaded) continue;
+    const Vector3d& n = problem.at[i].n;
+    const Vector3d e1 = n.unitOrthogonal(), e2 = n.cross(e1);
+    const auto addInPlane = [&](const Vector3d& force)
+    {
+      list[next++] = e1.dot(force);
+      list[next++] = e2.dot(force);
+    };
+    list[next++] = forces[i].load;
+    if (mode.slip == Resistance::Holds) addInPlane(forces[i].friction);
+    if (mode.roll == Resistance::Holds) addInPlane(forces[i].roll);
+    if (mode.spin == Resistance::Holds) list[next++] = forces[i].spin;
+  }
+  return list.head(next);
+}
+
+void LinearProblem::solve(const ContactProblem& problem, const SupportForces& near)
 {
   Effect free;
   free << problem.free.a, problem.free.b;
   matrix = rows.leftCols(count).transpose() * columns.leftCols(count);
-  const Unknowns missing = wanted.head(count) - rows.leftCols(count).transpose() * free;
+  const Unknowns start = unknownsOf(problem, near);
+  const Unknowns missing = wanted.head(count) - rows.leftCols(count).transpose() * free - matrix * start;
   decomposition.setThreshold(kRounding);
   decomposition.compute(matrix);
   redundant = decomposition.rank() < count;
-  forces = decomposition.solve(missing);
-  const Effect sum = free + columns.leftCols(count) * forces;
-  return {sum.head<3>(), sum.tail<3>()};
+  forces = start + decomposition.solve(missing);
+}
+
+BallAcceleration LinearProblem::motion(const ContactProblem& problem) const
+{
+  const Effect effect = columns.leftCols(count) * forces;
+  return {problem.free.a + effect.head<3>(), problem.free.b + effect.tail<3>()};
 }
 
 Unknowns LinearProblem::internal(int unknown) const
@@ -312,9 +341,9 @@ bool allHold(const ContactProblem& problem, bool squeezed, BallAcceleration& mot
 {
   LinearProblem linear(problem);
   if (linear.count == 0) return false;
-  const BallAcceleration held = linear.solve(problem);
+  linear.solve(problem, SupportForces());
   const double scale = scaleOf(problem), slack = kRounding * scale;
-  if (!respectsOthers(problem, held, slack) || !(squeezed || pressesOnAll(problem, linear.forces, slack))) return false;
+  if (!(squeezed || pressesOnAll(problem, linear.forces, slack))) return false;
   double margin = marginOf(problem, linear.forces);
   int next = 0;
   for (std::size_t i = 0; i < problem.count && margin <= slack && linear.redundant; ++i)
@@ -327,7 +356,8 @@ bool allHold(const ContactProblem& problem, bool squeezed, BallAcceleration& mot
     margin = marginOf(problem, linear.forces);
   }
   if (margin <= slack) return false;
-  motion = held;
+  motion = linear.motion(problem);
+  if (!respectsOthers(problem, motion, slack)) return false;
   next = 0;
   for (std::size_t i = 0; i < problem.count; ++i)
     forces[i] = problem.mode[i].loaded ? forceOf(problem, i, linear.forces, next) : SupportForce();
@@ -443,11 +473,13 @@ std::array<SupportMode, kMaxSupports> modesOf(const ContactProblem& problem, con
   return modes;
 }
 
-BallAcceleration accelerationInModes(const ContactProblem& problem)
+BallAcceleration accelerationInModes(const ContactProblem& problem, const SupportForces& near)
 {
   BallAcceleration motion;
   if (onOne(problem, motion)) return motion;
   LinearProblem linear(problem);
-  return linear.count == 0 ? problem.free : linear.solve(problem);
+  if (linear.count == 0) return problem.free;
+  linear.solve(problem, near);
+  return linear.motion(problem);
 }
 }  // namespace ping_pong

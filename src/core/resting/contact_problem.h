@@ -75,8 +75,9 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
 std::array<SupportMode, kMaxSupports> modesOf(const ContactProblem& problem, const BallAcceleration& motion,
                                               const SupportForces& forces);
 
-/// The acceleration under the modes of the problem: linear. Forces are unique only as far as they matter to the motion.
-BallAcceleration accelerationInModes(const ContactProblem& problem);
+/// The acceleration under the modes of the problem: linear. Where several contacts stick they may press on each other through
+/// the ball, as much as they like by Coulomb's law: of all such forces the nearest to those given.
+BallAcceleration accelerationInModes(const ContactProblem& problem, const SupportForces& near);
 
 /// The size of accelerations, of which rounding is a part [m/s^2].
 double scaleOf(const ContactProblem& problem);

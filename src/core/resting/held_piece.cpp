@@ -35,8 +35,9 @@ void turnAlong(Resistance kind, const Value& value, double none, Value& directio
 }
 
 // The modes of the start at a later instant. What rounding, or a stop, has left of held speeds ends with the piece.
-BallAcceleration accelerationAt(const HeldBall& held, const ContactProblem& start, const BallMotion& ball, double t, double h)
+BallAcceleration accelerationAt(const HeldBall& held, const Decision& decision, const BallMotion& ball, double t, double h)
 {
+  const ContactProblem& start = decision.problem;
   ContactProblem problem = problemAt(held, ball, t);
   const double none = noSpeed(ball);
   for (std::size_t i = 0; i < problem.count; ++i)
@@ -50,7 +51,7 @@ BallAcceleration accelerationAt(const HeldBall& held, const ContactProblem& star
     if (mode.roll == Resistance::Holds) at.roll_bias += start.at[i].roll / h;
     if (mode.spin == Resistance::Holds) at.spin_bias += start.at[i].spin / h;
   }
-  return accelerationInModes(problem);
+  return accelerationInModes(problem, decision.forces);
 }
 
 void layThrough(const Rates& rates, double h, double radius, Segment& path)
@@ -106,7 +107,7 @@ bool collocate(const HeldBall& held, const Decision& decision, const BallMotion&
     for (int i = 0; i < kNodes; ++i)
     {
       const BallMotion at{places.row(i).transpose(), speeds.row(i).head<3>().transpose(), speeds.row(i).tail<3>().transpose()};
-      const BallAcceleration now = accelerationAt(held, decision.problem, at, t + h * points.nodes[i], h);
+      const BallAcceleration now = accelerationAt(held, decision, at, t + h * points.nodes[i], h);
       rates.row(i) << now.a.transpose(), now.b.transpose();
     }
     const Speeds next = (h * (points.integral * rates)).rowwise() + start;
