@@ -27,9 +27,11 @@ constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces
 constexpr double kShareOfStops = 1e-3;   // of the tolerance
 constexpr double kUsualAcceleration = 10.0;  // [m/s^2]
 constexpr double kShortestGrip = 3e-8;  // [s]
-constexpr double kLongestGrip = 1e-3;  // [s]
-constexpr double kShortPath = 1e-5;    // [s]
-constexpr std::uint32_t kPatience = 12;
+constexpr double kLongestGrip = 5e-3;  // [s]
+constexpr double kShortPath = 2e-4;    // [s]
+constexpr double kSameTime = 1e-9;     // [s]
+constexpr double kShortestMotion = 1e-5;  // of a body: a path may be as much longer [s]
+constexpr std::uint32_t kPatience = 20;
 
 double gripTime(const WorldState& world, const Supports& supports)
 {
@@ -205,8 +207,8 @@ void moveOnPiece(const WorldState& world, BallRecord& ball, const HeldBall& held
   const bool moving = onMovingBody(world, ball.supports) && window_end > t;
   const double tolerance = std::max(kShareOfPieces * world.scene.tolerance, kLeastTolerance);
   ball.path.further.make().spin.make().next_piece = next_piece;
-  layHeldPiece(held, decision, motion, t, moving ? window_end - t : kNever, tolerance, gripTime(world, ball.supports), ball.path);
-  if (moving && ball.path.end >= window_end) ball.path.end = window_end + kShortPath;  // see moveSteadily()
+  layHeldPiece(held, decision, motion, t, moving ? std::max(window_end - t, kShortestMotion) : kNever, tolerance, gripTime(world, ball.supports), ball.path);
+  if (moving && ball.path.end >= window_end - kSameTime) ball.path.end = window_end + kShortestMotion;  // see moveSteadily()
   ball.path.boundAcceleration();
 }
 

@@ -17,6 +17,7 @@ constexpr int kPatience = 100;
 constexpr double kConverged = 4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
 constexpr double kGoodEnough = 1e-4;  // where sweeps come to their end slowly; where there is no end they grow
 constexpr double kRounding = 1e-11;   // accelerations below this part of the scale are none
+constexpr double kAllMet = 1e-9;
 constexpr double kInsideLimit = 1.0 - 1e-9;
 
 Vector3d limited(const Vector3d& f, double most)
@@ -138,7 +139,8 @@ struct LinearProblem
   Effects rows, columns;  // row.(a, b) = wanted; a column is what one unknown does
   Unknowns wanted, forces;
   int count = 0;
-  bool redundant = false;  // there are forces that the motion does not feel
+  bool redundant = false;  // there are forces that hold each other
+  double missed = 0.0;     // of what is wanted, where not all of that can be had at once [m/s^2]
 
   explicit LinearProblem(const ContactProblem& problem);
   // Several sticking contacts hold each other: of all forces that will do, the nearest to these.
@@ -234,7 +236,9 @@ void LinearProblem::solve(const ContactProblem& problem, const SupportForces& ne
   decomposition.setThreshold(kRounding);
   decomposition.compute(matrix);
   redundant = decomposition.rank() < count;
-  forces = start + decomposition.solve(missing);
+  const Unknowns more = decomposition.solve(missing);
+  missed = (missing - matrix * more).norm();
+  forces = start + more;
 }
 
 BallAcceleration LinearProblem::motion(const ContactProblem& problem) const
@@ -343,7 +347,7 @@ bool allHold(const ContactProblem& problem, bool squeezed, BallAcceleration& mot
   if (linear.count == 0) return false;
   linear.solve(problem, SupportForces());
   const double scale = scaleOf(problem), slack = kRounding * scale;
-  if (!(squeezed || pressesOnAll(problem, linear.forces, slack))) return false;
+  if (linear.missed > kAllMet * scale || !(squeezed || pressesOnAll(problem, linear.forces, slack))) return false;
   double margin = marginOf(problem, linear.forces);
   int next = 0;
   for (std::size_t i = 0; i < problem.count && margin <= slack && linear.redundant; ++i)

@@ -207,6 +207,7 @@ bool modesHold(const HeldBall& held, const ContactProblem& decided, const BallMo
     const SupportPoint& at = problem.at[i];
     if (mode.slip == Resistance::Slips && at.slip.norm() > noSpeed(ball)) mode.slip_direction = at.slip.normalized();
     if (mode.roll == Resistance::Slips && at.roll.norm() > noSpeed(ball)) mode.roll_direction = at.roll.normalized();
+    if (mode.spin == Resistance::Slips && mode.spin_direction * at.spin < -noSpeed(ball)) return false;  // turned round
   }
   BallAcceleration motion;
   SupportForces forces;

@@ -15,7 +15,7 @@ constexpr double kFirstTry = 5e-3;     // [s]
 constexpr double kLongestPiece = 0.1;  // [s]
 constexpr double kBeforeRest = 0.9;    // of the time until a slip ends: its direction may change fast at the end
 constexpr double kEndOfBisection = 1e-13;  // [s]
-constexpr double kInsideTolerance = 1e-10;  // [m]
+constexpr double kInsideTolerance = 2e-11;  // [m]
 constexpr int kLooks = 4;              // at a piece, for what ends it
 
 using Rates = Eigen::Matrix<double, kNodes, 6>;   // (a, b) at the nodes
