@@ -23,6 +23,7 @@ constexpr double kSmallMoment = 1e-12;  // [s]
 // Part of forces that no law explains. In 0.1 ms directions turn by 1e-2 at most and their means stand for them to
 // 1e-4; a piece of path with an error of 1e-6 m over a second has forces true to some 1e-3.
 constexpr double kAgainstTheLaw = 5e-3;
+constexpr double kPlaced = 2e-10;  // a ball put down in touch may sink in by as much, and is lifted [m]
 // Bounces that no longer count are slower than 1e-5 m/s, and each leaves a part e_t of the slip that the one before it
 // left; roundings are smaller. Besides, what the tolerance permits: 1e-6 m in a second is 1e-6 m/s.
 constexpr double kNoSlip = 1e-8;  // [m/s]
@@ -97,7 +98,7 @@ private:
 double RandomRun::energySlack() const
 {
   const double speed = std::max(now_.scale(), last_.scale()) + pull_.norm() * 1.0;
-  return speed * scene_.tolerance + 1e-12 * speed * speed + 1e-11 * pull_.norm();
+  return speed * scene_.tolerance + 1e-12 * speed * speed + kPlaced * pull_.norm();
 }
 
 void RandomRun::checkGain()

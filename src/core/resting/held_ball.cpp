@@ -13,6 +13,7 @@ namespace
 constexpr double kNoSpeed = 1e-12;    // rounding of speeds near 1 m/s [m/s]
 constexpr double kMostStopped = 1e2;  // faster than this times the grip time nothing is stopped within it [m/s^2]
 constexpr int kRounds = 4;            // of decisions: each lets something slip that could not be stopped
+constexpr double kParts = 1e-8;  // a surface that carries nothing is left at this speed [m/s]
 constexpr int kGripRounds = 1000;
 
 // A resistance before it is known what it can do.
@@ -205,6 +206,7 @@ bool modesHold(const HeldBall& held, const ContactProblem& decided, const BallMo
     mode = decided.mode[i];
     if (!mode.loaded && held.surface[i].law->friction > 0.0) mode.slip = Resistance::Holds;
     const SupportPoint& at = problem.at[i];
+    if (!mode.loaded && at.rate > kParts) return false;
     if (mode.slip == Resistance::Slips && at.slip.norm() > noSpeed(ball)) mode.slip_direction = at.slip.normalized();
     if (mode.roll == Resistance::Slips && at.roll.norm() > noSpeed(ball)) mode.roll_direction = at.roll.normalized();
     if (mode.spin == Resistance::Slips && mode.spin_direction * at.spin < -noSpeed(ball)) return false;  // turned round
