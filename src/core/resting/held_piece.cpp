@@ -28,10 +28,11 @@ const GaussPoints<kNodes>& gaussPoints()
   return points;
 }
 
-template <class Value>
-void turnAlong(Resistance kind, const Value& value, double none, Value& direction)
+// A slip that has hardly begun keeps the direction in which it begins.
+void turnAlong(Resistance kind, const Vector3d& value, Vector3d& direction)
 {
-  if (kind == Resistance::Slips && value.norm() > none) direction = value.normalized();
+  constexpr double kBegun = 1e-9;  // [m/s]
+  if (kind == Resistance::Slips) direction = (value + kBegun * direction).normalized();
 }
 
 // The modes of the start at a later instant. What rounding, or a stop, has left of held speeds ends with the piece.
@@ -39,14 +40,13 @@ BallAcceleration accelerationAt(const HeldBall& held, const Decision& decision, 
 {
   const ContactProblem& start = decision.problem;
   ContactProblem problem = problemAt(held, ball, t);
-  const double none = noSpeed(ball);
   for (std::size_t i = 0; i < problem.count; ++i)
   {
     SupportPoint& at = problem.at[i];
     SupportMode& mode = problem.mode[i];
     mode = start.mode[i];
-    turnAlong(mode.slip, at.slip, none, mode.slip_direction);
-    turnAlong(mode.roll, at.roll, none, mode.roll_direction);
+    turnAlong(mode.slip, at.slip, mode.slip_direction);
+    turnAlong(mode.roll, at.roll, mode.roll_direction);
     if (mode.slip == Resistance::Holds) at.slip_bias += start.at[i].slip / h;
     if (mode.roll == Resistance::Holds) at.roll_bias += start.at[i].roll / h;
     if (mode.spin == Resistance::Holds) at.spin_bias += start.at[i].spin / h;
