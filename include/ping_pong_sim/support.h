@@ -26,7 +26,7 @@ public:
   bool has(std::size_t body, std::size_t shape) const { return list_ && list_->has(body, shape); }
   void add(std::size_t body, std::size_t shape);  ///< ignores what it has already, and more than kMax
   void remove(std::size_t index);
-  void replace(std::size_t index, std::size_t body, std::size_t shape);  ///< removes it if the other is there already
+  void replace(std::size_t index, std::size_t body, std::size_t shape);  ///< by one that is not there yet
 
   double since() const { return list_ ? list_->since : 0.0; }  ///< world time at which its bounces ended [s]
   void setSince(double time) { list_.make().since = time; }

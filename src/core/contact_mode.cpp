@@ -17,6 +17,7 @@ constexpr double kKeepGap = 1e-6;           // a support is left from further th
 constexpr double kStillSpeed = 1e-12;       // below: rounding, the ball lies still [m/s]
 constexpr double kRoundedFraction = 1e-12;  // accelerations below this part of all there are are rounding
 constexpr double kTouchedFraction = 1e-7;   // parting with less than this part of them, a ball still touches
+constexpr double kMostTouched = 1e-3;       // the same where contact and parting have followed each other without end
 constexpr int kProjections = 32;
 constexpr double kShareOfPieces = 0.1;      // of the tolerance
 constexpr double kLeastTolerance = 1e-14;   // rounding [m]
@@ -118,7 +119,7 @@ void passToFlushFaces(const WorldState& world, BallRecord& ball, const BallState
       const BodyRecord& body = world.bodies[b];
       if (b != support.body && (body.moving || its_body.moving)) continue;
       for (std::size_t s = 0; s < body.shapes().size(); ++s)
-        if (flushFace(body, body.shapes()[s], ball, state, n, t))
+        if (!ball.supports.has(b, s) && flushFace(body, body.shapes()[s], ball, state, n, t))
         {
           ball.supports.replace(i, b, s);
           b = world.bodies.size() - 1;
@@ -233,12 +234,13 @@ void removeSupport(std::size_t i, BallRecord& ball, HeldBall& held, Decision& de
 // Supports that carry nothing and part from the ball; those that do neither are still touched.
 void dropUnloaded(BallRecord& ball, HeldBall& held, Decision& decision, const BallMotion& motion)
 {
-  const double slack = kTouchedFraction * scaleOf(decision.problem);
+  const double slack = (ball.streak > kLongStreak ? kMostTouched : kTouchedFraction) * scaleOf(decision.problem);
   for (std::size_t i = held.count; i-- > 0;)
   {
     if (decision.problem.mode[i].loaded) continue;
     const SupportPoint& at = decision.problem.at[i];
     const bool parts = at.n.dot(decision.motion.a) > at.least + slack || at.rate > noSpeed(motion);
+    if (parts && getenv("DBG")) fprintf(stderr, "parts b%d s%d f%d%d%d n.a-least %.6g least %.6g rate %.6g gap %.3g\n", ball.supports[i].body, ball.supports[i].shape, held.surface[i].feature.x, held.surface[i].feature.y, held.surface[i].feature.z, at.n.dot(decision.motion.a) - at.least, at.least, at.rate, at.gap);
     if (parts) removeSupport(i, ball, held, decision);
   }
 }
@@ -290,8 +292,11 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
 {
   const bool ended_soon = t >= ball.path.end && t - ball.path.start < kShortPath;
   const double next_piece = ball.path.further && ball.path.further->spin ? ball.path.further->spin->next_piece : 0.0;
+  if (getenv("DBG")) { fprintf(stderr, "before:"); for (std::size_t i=0;i<ball.supports.count();++i) { const Gap g = gapOver(world, ball, ball.supports[i], state, t); fprintf(stderr, " b%d s%d gap %.3g rate %.3g n %.12g %.12g %.12g", ball.supports[i].body, ball.supports[i].shape, g.gap, g.rate, g.n_W.x(), g.n_W.y(), g.n_W.z()); } fprintf(stderr, "\n"); }
   passToFlushFaces(world, ball, state, t);
+  if (getenv("DBG")) fprintf(stderr, "A %zu\n", ball.supports.count());
   dropSurfacesLeft(world, ball, state, t);
+  if (getenv("DBG")) fprintf(stderr, "B %zu\n", ball.supports.count());
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   ball.supports.countShort(ended_soon);
   const double grip_time = gripTime(world, ball.supports);
@@ -301,6 +306,7 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
   Decision decision = decideOrJam(held, motion, t, grip_time);
   state.v_WB = motion.v;
   if (motion.s != spin_before) state.w_WB = motion.s / held.radius;
+  if (getenv("DBG")) for (std::size_t i = 0; i < held.count; ++i) { const auto& at=decision.problem.at[i]; fprintf(stderr, "C %zu f%d%d%d loaded %d N %.6g n.a-least %.6g rate %.3g\n", i, held.surface[i].feature.x, held.surface[i].feature.y, held.surface[i].feature.z, decision.problem.mode[i].loaded, decision.forces[i].load, at.n.dot(decision.motion.a) - at.least, at.rate); }
   dropUnloaded(ball, held, decision, motion);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   if (motion.s.norm() < kStillSpeed && motion.v.norm() < kStillSpeed) state.w_WB.setZero();

@@ -36,7 +36,6 @@ void Supports::remove(std::size_t index)
 
 void Supports::replace(std::size_t index, std::size_t body, std::size_t shape)
 {
-  if (has(body, shape)) return remove(index);
   list_->surfaces[index] = surface(body, shape);
 }
 

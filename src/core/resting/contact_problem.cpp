@@ -14,6 +14,7 @@ namespace
 {
 constexpr int kMaxSweeps = 1000;
 constexpr int kPatience = 100;
+constexpr int kPasses = 4;            // over all directions in which supports press on each other
 constexpr double kConverged = 4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
 constexpr double kGoodEnough = 1e-4;  // where sweeps come to their end slowly; where there is no end they grow
 constexpr double kRounding = 1e-11;   // accelerations below this part of the scale are none
@@ -349,20 +350,17 @@ bool allHold(const ContactProblem& problem, bool squeezed, BallAcceleration& mot
   const double scale = scaleOf(problem), slack = kRounding * scale;
   if (linear.missed > kAllMet * scale || !(squeezed || pressesOnAll(problem, linear.forces, slack))) return false;
   double margin = marginOf(problem, linear.forces);
-  int next = 0;
-  for (std::size_t i = 0; i < problem.count && margin <= slack && linear.redundant; ++i)
-  {
-    if (!problem.mode[i].loaded) continue;
-    const int load = next;
-    forceOf(problem, i, linear.forces, next);
-    const Unknowns direction = linear.internal(load);
-    if (direction.norm() > 1e-6) pressAlong(problem, direction / direction.norm(), 10.0 * scale, slack, linear.forces);
-    margin = marginOf(problem, linear.forces);
-  }
+  for (int pass = 0; pass < kPasses && linear.redundant && margin <= slack; ++pass)
+    for (int unknown = 0; unknown < linear.count && margin <= slack; ++unknown)
+    {
+      const Unknowns direction = linear.internal(unknown);
+      if (direction.norm() > 1e-6) pressAlong(problem, direction / direction.norm(), 10.0 * scale, slack, linear.forces);
+      margin = marginOf(problem, linear.forces);
+    }
   if (margin <= slack) return false;
   motion = linear.motion(problem);
   if (!respectsOthers(problem, motion, slack)) return false;
-  next = 0;
+  int next = 0;
   for (std::size_t i = 0; i < problem.count; ++i)
     forces[i] = problem.mode[i].loaded ? forceOf(problem, i, linear.forces, next) : SupportForce();
   return true;
