@@ -25,10 +25,10 @@ constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces
 
 // What can be stopped within the grip time is stopped at once: the error is a fraction of g t^2, of the tolerance. Paths that
 // end one after the other in no time make it longer, so that they come to an end.
-constexpr double kShareOfStops = 1e-3;   // of the tolerance
+constexpr double kShareOfStops = 0.1;   // of the tolerance
 constexpr double kUsualAcceleration = 10.0;  // [m/s^2]
 constexpr double kShortestGrip = 3e-8;  // [s]
-constexpr double kLongestGrip = 5e-3;  // [s]
+constexpr double kLongestGrip = 1e-3;  // [s]
 constexpr double kShortPath = 2e-4;    // [s]
 constexpr double kSameTime = 1e-9;     // [s]
 constexpr double kShortestMotion = 1e-5;  // of a body: a path may be as much longer [s]
@@ -251,8 +251,12 @@ Vector3d cleaned(const Vector3d& a, double scale) { return a.norm() < kRoundedFr
 // answer, friction has jammed the ball: all slip ends at once.
 Decision decideOrJam(const HeldBall& held, BallMotion& motion, double t, double grip_time)
 {
-  gripAtOnce(held, allThatAlwaysGrips(held), t, motion);
   Decision decision = decide(held, motion, t, 0.0);
+  if (const Grips grips = allThatAlwaysGrips(decision, motion); any(grips))
+  {
+    gripAtOnce(held, grips, t, motion);
+    decision = decide(held, motion, t, 0.0);
+  }
   if (decision.answered && steady(held, decision, motion)) return decision;
   const Grips stops = decide(held, motion, t, grip_time).stops;
   if (any(stops))
@@ -323,7 +327,7 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
     fprintf(stderr, "plan t=%.15g end=%.15g (%.3g) short %u answered %d steady %d ", t, ball.path.end, ball.path.end - t, ball.supports.shortPaths(), decision.answered, steady(held, decision, motion));
     for (std::size_t i = 0; i < held.count; ++i) { const auto& m = decision.problem.mode[i]; const auto& a = decision.problem.at[i];
       fprintf(stderr, " [b%d s%d f%d%d%d loaded %d slip %d %.3g roll %d %.3g spin %d %.3g N %.4g F %.4g]", ball.supports[i].body, ball.supports[i].shape, held.surface[i].feature.x, held.surface[i].feature.y, held.surface[i].feature.z, m.loaded, (int)m.slip, a.slip.norm(), (int)m.roll, a.roll.norm(), (int)m.spin, a.spin, decision.forces[i].load, decision.forces[i].friction.norm()); }
-    fprintf(stderr, "\n");
+    fprintf(stderr, " a %.6g %.6g %.6g b %.6g %.6g %.6g v %.6g %.6g %.6g s %.6g %.6g %.6g\n", decision.motion.a.x(), decision.motion.a.y(), decision.motion.a.z(), decision.motion.b.x(), decision.motion.b.y(), decision.motion.b.z(), motion.v.x(), motion.v.y(), motion.v.z(), motion.s.x(), motion.s.y(), motion.s.z());
   }
 }
 }  // namespace

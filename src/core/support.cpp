@@ -6,7 +6,8 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::uint32_t kMostShortPaths = 100;
+constexpr std::uint32_t kMostShortPaths = 60;
+constexpr std::uint32_t kForgiven = 3;  // by one that is not
 
 Supports::Surface surface(std::size_t body, std::size_t shape)
 {
@@ -41,6 +42,8 @@ void Supports::replace(std::size_t index, std::size_t body, std::size_t shape)
 
 void Supports::countShort(bool is_short)
 {
-  if (list_) list_->short_paths = is_short ? std::min(list_->short_paths + 1, kMostShortPaths) : 0;
+  if (!list_) return;
+  std::uint32_t& count = list_->short_paths;
+  count = is_short ? std::min(count + 1, kMostShortPaths) : count - std::min(count, kForgiven);
 }
 }  // namespace ping_pong

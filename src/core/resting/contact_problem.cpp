@@ -12,9 +12,9 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMaxSweeps = 1000;
+constexpr int kMaxSweeps = 400;
 constexpr int kPatience = 100;
-constexpr int kPasses = 4;            // over all directions in which supports press on each other
+constexpr int kPasses = 2;            // over all directions in which supports press on each other
 constexpr double kConverged = 4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
 constexpr double kGoodEnough = 1e-4;  // where sweeps come to their end slowly; where there is no end they grow
 constexpr double kRounding = 1e-11;   // accelerations below this part of the scale are none
@@ -308,7 +308,7 @@ void pressAlong(const ContactProblem& problem, const Unknowns& direction, double
   double low = -most, high = most;
   double x1 = high - kGolden * (high - low), x2 = low + kGolden * (high - low);
   double f1 = at(x1), f2 = at(x2);
-  for (int i = 0; i < 60 && std::max(f1, f2) <= enough; ++i)
+  for (int i = 0; i < 40 && std::max(f1, f2) <= enough; ++i)
   {
     if (f1 < f2)
     {

@@ -251,12 +251,16 @@ Grips allThatIsRough(const HeldBall& held)
   return grips;
 }
 
-Grips allThatAlwaysGrips(const HeldBall& held)
+Grips allThatAlwaysGrips(const Decision& decision, const BallMotion& ball)
 {
-  Grips grips;
-  for (std::size_t i = 0; i < held.count; ++i)
-    grips[i].slip = held.surface[i].law->friction == std::numeric_limits<double>::infinity();
-  return grips;
+  const ContactProblem& problem = decision.problem;
+  Grips slipping;
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    const bool always = problem.law[i]->friction == std::numeric_limits<double>::infinity();
+    slipping[i].slip = problem.mode[i].loaded && always && problem.at[i].slip.norm() > noSpeed(ball);
+  }
+  return heldIfAnyStops(problem, slipping);
 }
 
 void gripAtOnce(const HeldBall& held, const Grips& grips, double t, BallMotion& ball)

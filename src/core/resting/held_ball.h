@@ -53,8 +53,8 @@ double slipsFor(const Decision& decision);
 
 bool any(const Grips& grips);
 Grips allThatIsRough(const HeldBall& held);
-/// Contacts without a limit of friction: they grip whatever the slip.
-Grips allThatAlwaysGrips(const HeldBall& held);
+/// Loaded contacts without a limit of friction that slip: they grip at once. None if there is no such slip.
+Grips allThatAlwaysGrips(const Decision& decision, const BallMotion& ball);
 
 /// Brings these motions to rest at once, as by an impulse: energy falls.
 void gripAtOnce(const HeldBall& held, const Grips& grips, double t, BallMotion& ball);

@@ -193,7 +193,7 @@ void layHeldPiece(const HeldBall& held, const Decision& decision, const BallMoti
     wanted = 0.0;
   }
   const double grown = h * std::min(3.0, 0.8 * std::pow(std::max(excess, 1e-8), -1.0 / (kNodes + 3)));
-  const double held_for = std::max(holdsFor(held, decision.problem, path, h), std::min(shortest, h));
+  const double held_for = h <= shortest ? h : std::max(holdsFor(held, decision.problem, path, h), shortest);
   // After the last look, what ended it tells little of the next piece.
   spin.next_piece = held_for < h ? kFirstTry : std::max(grown, wanted);
   path.end = t + held_for;
