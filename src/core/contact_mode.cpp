@@ -1,8 +1,6 @@
 #include "contact_mode.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "fixed_flight.h"
 #include "ping_pong_sim/evolve.h"
@@ -29,7 +27,7 @@ constexpr double kShareOfStops = 0.1;   // of the tolerance
 constexpr double kUsualAcceleration = 10.0;  // [m/s^2]
 constexpr double kShortestGrip = 3e-8;  // [s]
 constexpr double kLongestGrip = 1e-3;  // [s]
-constexpr double kShortPath = 2e-4;    // [s]
+constexpr double kShortPath = 1e-3;    // [s]
 constexpr double kSameTime = 1e-9;     // [s]
 constexpr double kShortestMotion = 1e-5;  // of a body: a path may be as much longer [s]
 constexpr std::uint32_t kPatience = 20;
@@ -240,7 +238,6 @@ void dropUnloaded(BallRecord& ball, HeldBall& held, Decision& decision, const Ba
     if (decision.problem.mode[i].loaded) continue;
     const SupportPoint& at = decision.problem.at[i];
     const bool parts = at.n.dot(decision.motion.a) > at.least + slack || at.rate > noSpeed(motion);
-    if (parts && getenv("DBG")) fprintf(stderr, "parts b%d s%d f%d%d%d n.a-least %.6g least %.6g rate %.6g gap %.3g\n", ball.supports[i].body, ball.supports[i].shape, held.surface[i].feature.x, held.surface[i].feature.y, held.surface[i].feature.z, at.n.dot(decision.motion.a) - at.least, at.least, at.rate, at.gap);
     if (parts) removeSupport(i, ball, held, decision);
   }
 }
@@ -296,11 +293,8 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
 {
   const bool ended_soon = t >= ball.path.end && t - ball.path.start < kShortPath;
   const double next_piece = ball.path.further && ball.path.further->spin ? ball.path.further->spin->next_piece : 0.0;
-  if (getenv("DBG")) { fprintf(stderr, "before:"); for (std::size_t i=0;i<ball.supports.count();++i) { const Gap g = gapOver(world, ball, ball.supports[i], state, t); fprintf(stderr, " b%d s%d gap %.3g rate %.3g n %.12g %.12g %.12g", ball.supports[i].body, ball.supports[i].shape, g.gap, g.rate, g.n_W.x(), g.n_W.y(), g.n_W.z()); } fprintf(stderr, "\n"); }
   passToFlushFaces(world, ball, state, t);
-  if (getenv("DBG")) fprintf(stderr, "A %zu\n", ball.supports.count());
   dropSurfacesLeft(world, ball, state, t);
-  if (getenv("DBG")) fprintf(stderr, "B %zu\n", ball.supports.count());
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   ball.supports.countShort(ended_soon);
   const double grip_time = gripTime(world, ball.supports);
@@ -310,7 +304,6 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
   Decision decision = decideOrJam(held, motion, t, grip_time);
   state.v_WB = motion.v;
   if (motion.s != spin_before) state.w_WB = motion.s / held.radius;
-  if (getenv("DBG")) for (std::size_t i = 0; i < held.count; ++i) { const auto& at=decision.problem.at[i]; fprintf(stderr, "C %zu f%d%d%d loaded %d N %.6g n.a-least %.6g rate %.3g\n", i, held.surface[i].feature.x, held.surface[i].feature.y, held.surface[i].feature.z, decision.problem.mode[i].loaded, decision.forces[i].load, at.n.dot(decision.motion.a) - at.least, at.rate); }
   dropUnloaded(ball, held, decision, motion);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   if (motion.s.norm() < kStillSpeed && motion.v.norm() < kStillSpeed) state.w_WB.setZero();
@@ -322,13 +315,6 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
     moveSteadily(world, ball, held, decision, motion, t, window_end);
   else
     moveOnPiece(world, ball, held, decision, motion, t, window_end, next_piece);
-  if (getenv("DBG")) {
-    { const Vector3d g = world.scene.forces.gravity; fprintf(stderr, "E %.12g ", 0.5*motion.v.squaredNorm() + 0.5*held.k*motion.s.squaredNorm() - g.dot(motion.p)); }
-    fprintf(stderr, "plan t=%.15g end=%.15g (%.3g) short %u answered %d steady %d ", t, ball.path.end, ball.path.end - t, ball.supports.shortPaths(), decision.answered, steady(held, decision, motion));
-    for (std::size_t i = 0; i < held.count; ++i) { const auto& m = decision.problem.mode[i]; const auto& a = decision.problem.at[i];
-      fprintf(stderr, " [b%d s%d f%d%d%d loaded %d slip %d %.3g roll %d %.3g spin %d %.3g N %.4g F %.4g]", ball.supports[i].body, ball.supports[i].shape, held.surface[i].feature.x, held.surface[i].feature.y, held.surface[i].feature.z, m.loaded, (int)m.slip, a.slip.norm(), (int)m.roll, a.roll.norm(), (int)m.spin, a.spin, decision.forces[i].load, decision.forces[i].friction.norm()); }
-    fprintf(stderr, " a %.6g %.6g %.6g b %.6g %.6g %.6g v %.6g %.6g %.6g s %.6g %.6g %.6g\n", decision.motion.a.x(), decision.motion.a.y(), decision.motion.a.z(), decision.motion.b.x(), decision.motion.b.y(), decision.motion.b.z(), motion.v.x(), motion.v.y(), motion.v.z(), motion.s.x(), motion.s.y(), motion.s.z());
-  }
 }
 }  // namespace
 

@@ -1,8 +1,6 @@
 #include "exact_method.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "contact_mode.h"
 #include "contact_record.h"
@@ -129,9 +127,6 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   bounce(law, ball.params(), state, u, gap.n_W);
   if (worthAReport(ball, -gap.rate))
     recordBodyContact(*window.records, ball, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB}, gap.n_W, u, t);
-  if (getenv("DBG")) { auto E=[&](const BallState& b){ return 0.5*b.v_WB.squaredNorm() + 0.5*ball.params().inertia*ball.params().radius*ball.params().radius*b.w_WB.squaredNorm() - world.scene.forces.gravity.dot(b.p_WB); }; fprintf(stderr, "E %.12g -> %.12g ", E(before), E(state)); }
-  if (getenv("DBG")) { const Vector3d pa = ball.path.acceleration(t - ball.path.start); const Shape& shp = body.shapes()[event.shape]; fprintf(stderr, "acc %.6g deg %d ", gapAcceleration(shp, frame, before.p_WB, before.v_WB, pa), ball.path.degree); }
-  if (getenv("DBG")) fprintf(stderr, "hit t=%.15g b%d s%d gap %.3g rate %.6g after %.6g streak %d\n", t, event.other, event.shape, gap.gap, gap.rate, gap.n_W.dot(state.v_WB - u), ball.streak);
   settle(world, ball, event, law, frame, state, -gap.rate, gap.n_W.dot(state.v_WB - u), t);
   restart(world, window, i, state, t);
 }

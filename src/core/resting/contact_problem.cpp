@@ -2,8 +2,6 @@
 
 #include <Eigen/QR>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "count.h"
@@ -430,7 +428,6 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
     if (sweeper.change <= kConverged * (scale + sweeper.largest)) return true;
     // Sweeps that come to the border of what can be held do so without end.
     if (i == kPatience && allHold(withLoads(problem, &forces, kRounding * scale), true, motion, forces)) return true;
-    if (getenv("DBG2") && i == 300) { fprintf(stderr, "slow change %.3g scale %.3g largest %.3g", sweeper.change, scale, sweeper.largest); for (std::size_t j=0;j<problem.count;++j) fprintf(stderr, " [mu %.3g slip %d roll %d spin %d N %.6g F %.6g T %.6g S %.6g]", problem.law[j]->friction, (int)problem.mode[j].slip,(int)problem.mode[j].roll,(int)problem.mode[j].spin, forces[j].load, forces[j].friction.norm(), forces[j].roll.norm(), forces[j].spin); fprintf(stderr,"\n"); }
     if (!(sweeper.change < 1e9 * scale)) return false;
   }
   return sweeper.change <= kGoodEnough * scale;
