@@ -82,6 +82,7 @@ foreach(name
     workers
     islands
     impulse
+    contact_list
     handover
     edges
     grazing

@@ -140,13 +140,13 @@ struct Pile : PileSlots
   PileGrid grid;
   std::array<std::vector<PairLink>, kMostSlabs> found;  ///< links of a part of the grid each
   float margin = 0.0f;                  ///< of the links [m]
-  std::uint32_t counter = 1;            ///< goes up with every impact and every sweep over touches
+  std::uint32_t counter = 1;            ///< goes up with every impact and every sweep over touches; see restartCounter()
   std::uint32_t steps = 0;
   std::uint32_t step_mark = 0;          ///< the counter at the start of the step
   unsigned body_versions = 0;           ///< sum, when the links were built
   bool links_void = true;
   double h = 0.0;                       ///< length of the step [s]
-  double start = 0.0;                   ///< of the step [s]
+  double start = 0.0, end = 0.0;        ///< of the step [s]
   double least_impact = 0.0;            ///< of the first impact in a step [m/s]
 
   /// Slower is no impact but a contact [m/s]: after each impact in a step four times as much, or a jam would have no end.

@@ -30,15 +30,15 @@ void fork(Pile& pile, std::size_t i, const BallState& state, double t)
   ++mover.impacts;
 }
 
-// A record of the impact, as long as there is room: none is taken while the world moves on.
+// Counts an impact: a new record of it, or nullptr if none are kept. No later than the step ends: rounding may say so.
 Contact* newContact(WorldState& world, std::uint32_t ball, const BallState& before, double t)
 {
   ++world.status.contacts;
   ++world.status.events;
-  if (!world.keep_contacts || world.contacts.size() == world.contacts.capacity()) return nullptr;
+  if (!world.keep_contacts) return nullptr;
   Contact& contact = world.contacts.emplace_back();
   world.origins.push_back({ball, 0});
-  contact.time = world.pile.start + t;
+  contact.time = std::min(world.pile.start + t, world.pile.end);
   contact.ball = world.balls[ball].id;
   contact.v_before = before.v_WB;
   contact.w_before = before.w_WB;

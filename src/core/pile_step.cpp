@@ -14,6 +14,7 @@ namespace
 constexpr double kFastest = 1e8;       // [m/s]
 constexpr double kNoImpact = 1e-9;     // slower is no impact: without any force [m/s],
 constexpr double kImpactInSteps = 2.0; // and else what gravity adds in so many steps
+constexpr std::uint32_t kLastCount = 1u << 31;  // a step that begins above this counts anew: days of steps, and it must not wrap
 
 void accelerate(WorldState& world)
 {
@@ -118,11 +119,22 @@ void setLength(Pile& pile, double h)
   pile.h = h;
 }
 
-void step(WorldState& world, double start, double h)
+// What was noted on the counter is long ago. Between steps nobody asks for more.
+void restartCounter(Pile& pile)
+{
+  pile.counter = 1;
+  for (Mover& mover : pile.movers) mover.stamp = 0;
+  std::fill(pile.swept.begin(), pile.swept.end(), 0u);
+  for (PileShare& share : pile.shares) share.changed = 0;
+}
+
+void step(WorldState& world, double start, double end, double h)
 {
   Pile& pile = world.pile;
+  if (pile.counter > kLastCount) restartCounter(pile);
   setLength(pile, h);
   pile.start = start;
+  pile.end = end;
   for (PileShare& share : pile.shares) share.squeezed = 0;
   pile.least_impact = std::max(kNoImpact, kImpactInSteps * world.scene.forces.gravity.norm() * h);
   pile.step_mark = pile.counter + 1;
@@ -170,7 +182,8 @@ void runPile(WorldState& world, double start, double end, double longest_step)
   const double duration = end - start;
   const long steps = std::max(1L, std::lround(std::ceil(duration / longest_step - 1e-9)));
   const double h = duration / static_cast<double>(steps);
-  for (long i = 0; i < steps; ++i) step(world, start + h * static_cast<double>(i), h);
+  const auto startOf = [&](long i) { return i == steps ? end : start + h * static_cast<double>(i); };
+  for (long i = 0; i < steps; ++i) step(world, startOf(i), startOf(i + 1), h);
   updateActive(world);
   eachShare(world,
             [&](PileShare& share)

@@ -218,7 +218,6 @@ TEST(Allocations, RecordsOfABusyTickKeepTheirMemory)
 {
   for (const Method method : kMethods)
   {
-    if (method == Method::Impulse) continue;  // reports as many impacts as there is room for
     Scene scene = crowd();
     scene.method = method;
     World world(scene);
