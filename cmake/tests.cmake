@@ -83,6 +83,7 @@ foreach(name
     islands
     impulse
     contact_list
+    pile_seams
     handover
     edges
     grazing

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "count.h"
+#include "pile_seams.h"
 #include "ping_pong_sim/evolve.h"
 
 namespace ping_pong
@@ -11,38 +12,77 @@ namespace ping_pong
 namespace
 {
 constexpr int kMostMarchSteps = 20;  // of a search for the time of an impact
+constexpr int kMostSeams = 4;        // of a moving body that a ball passes in a step
 
-// Marches as firstContact() does, see detect.h: the gap stays above its tangent parabola.
-double stillImpact(const Pile& pile, std::size_t i, const Shape& placed)
+// A ball on a face comes to the edge of the next shape in the same plane: no impact. When it will be past the edge, or kNever.
+// @param v  its velocity relative to the body
+double passesSeam(const WorldState& world, const BodyLink& link, const Proximity& near, const Vector3d& p, const Vector3d& v, double t)
 {
+  if (near.flat()) return t;
+  const Seam seam = seamWith(world, link, near, p, t);
+  if (!seam.there) return t;
+  const Vector3d way = seam.surface.distance * seam.surface.normal - near.distance * near.normal;
+  const double along = way.dot(v);
+  return along > 0.0 ? t + way.squaredNorm() / along : kNever;
+}
+
+// Marches as firstContact() does, see detect.h: the gap stays above its tangent parabola. On a straight line its rate only grows.
+double stillImpact(const WorldState& world, const BodyLink& link)
+{
+  const Pile& pile = world.pile;
+  const std::uint32_t i = link.ball;
   const Vector3d a = pile.pathAcceleration(i);
+  const double most = a.norm(), least = pile.leastImpact(pile.movers[i].impacts);
   double t = pile.movers[i].clock;
   for (int step = 0; step < kMostMarchSteps; ++step)
   {
-    const Vector3d p = placeAt(pile, i, t);
-    const Gap gap = gapTo(placed, p, velocityAt(pile, i, t), pile.radius(i));
-    if (gap.gap <= touchTolerance(p, pile.radius(i))) return gap.rate < -pile.leastImpact(pile.movers[i].impacts) ? t : kNever;
-    const double press = gap.n_W.dot(a);
-    const double discriminant = gap.rate * gap.rate - 2.0 * press * gap.gap;
-    if (discriminant < 0.0) return kNever;
-    const double closing = std::sqrt(discriminant) - gap.rate;
-    if (closing <= 0.0) return kNever;
-    t += 2.0 * gap.gap / closing;
+    const Vector3d p = placeAt(pile, i, t), v = velocityAt(pile, i, t);
+    const Proximity near = nearestOf(world, link, p, t);
+    const double gap = near.distance - pile.radius(i), rate = near.normal.dot(v);
+    if (rate >= most * (pile.h - t) - least) return kNever;  // nor is it faster later in this step
+    if (gap <= touchTolerance(p, pile.radius(i)))
+    {
+      if (rate >= -least) return kNever;
+      const double past = passesSeam(world, link, near, p, v, t);
+      if (past == t) return t;
+      t = past;
+    }
+    else
+    {
+      const double press = near.normal.dot(a);
+      const double discriminant = rate * rate - 2.0 * press * gap;
+      if (discriminant < 0.0) return kNever;
+      const double closing = std::sqrt(discriminant) - rate;
+      if (closing <= 0.0) return kNever;
+      t += 2.0 * gap / closing;
+    }
     if (t > pile.h) return kNever;
   }
   return t;
 }
 
-double movingImpact(const Pile& pile, std::size_t i, const Shape& shape, const BodyMotion& motion)
+double movingImpact(const WorldState& world, const BodyLink& link)
 {
-  const double from = pile.start + pile.movers[i].clock;
+  const Pile& pile = world.pile;
+  const std::uint32_t i = link.ball;
+  const BodyRecord& body = world.bodies[link.body];
+  const Shape& shape = body.body.shapes[link.shape];
   const Segment path = flyParabola(stateAt(pile, i, 0.0), pile.start, pile.pathAcceleration(i));
-  const Detection found = firstContact(path, pile.radius(i), shape, motion, from, pile.start + pile.h);
-  if (!found.found()) return kNever;
-  const BodyFrame frame = frameAt(motion, found.time - motion.start);
-  const double t = found.time - pile.start;
-  const Gap gap = gapTo(shape, frame, placeAt(pile, i, t), velocityAt(pile, i, t), pile.radius(i));
-  return gap.rate < -pile.leastImpact(pile.movers[i].impacts) ? t : kNever;
+  double from = pile.movers[i].clock;
+  for (int seam = 0; seam < kMostSeams && from <= pile.h; ++seam)
+  {
+    const Detection found =
+        firstContact(path, pile.radius(i), shape, body.motion, pile.start + from, pile.start + pile.h);
+    if (!found.found()) return kNever;
+    const double t = found.time - pile.start;
+    const BodyFrame frame = frameAt(body.motion, found.time - body.motion.start);
+    const Vector3d p = placeAt(pile, i, t), v = velocityAt(pile, i, t);
+    const Gap gap = gapTo(shape, frame, p, v, pile.radius(i));
+    if (gap.rate >= -pile.leastImpact(pile.movers[i].impacts)) return kNever;
+    from = passesSeam(world, link, nearestOf(world, link, p, t), p, v - frame.pointVelocity(p), t);
+    if (from == t) return t;
+  }
+  return kNever;
 }
 }  // namespace
 
@@ -79,10 +119,8 @@ double pairImpact(const Pile& pile, const PairLink& link)
 double bodyImpact(const WorldState& world, const BodyLink& link)
 {
   const BodyRecord& body = world.bodies[link.body];
-  const Shape& shape = body.shapes()[link.shape];
-  count(meeting(shape.kind));
+  count(meeting(body.shapes()[link.shape].kind));
   if (body.moving) count(Law::MeetMoving);
-  return body.moving ? movingImpact(world.pile, link.ball, shape, body.motion)
-                     : stillImpact(world.pile, link.ball, shape);
+  return body.moving ? movingImpact(world, link) : stillImpact(world, link);
 }
 }  // namespace ping_pong

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "pile_contacts.h"
+#include "pile_seams.h"
 
 namespace ping_pong
 {
@@ -76,52 +77,93 @@ double reachOfBodies(const Pile& pile)
   return reachOf(pile) + kCaught * pile.h * std::sqrt(squared);
 }
 
-void gatherBody(WorldState& world, PileShare& share, std::uint32_t l, BodyLink& link, double reach)
+// A surface takes over from the one that it continues: with the impulses that the ball had there in the last step.
+void passOn(Pile& pile, PileShare& share, std::uint32_t from, std::uint32_t to)
+{
+  BodyLink& old = pile.bodies[from];
+  if (!(old.push[3] > 0.0f)) return;
+  if (to > from)
+    pile.bodies[to].push += old.push;
+  else
+    for (const BodyTouch& touch : share.body_touches)  // it has been gathered
+    {
+      if (touch.moving || touch.link != to) continue;
+      TouchBatch& batch = share.body_batches[touch.place / kLanes];
+      const std::size_t lane = touch.place % kLanes;
+      batch.tangent.set(lane, Vector3f(batch.tangent.at(lane) + Vector3f(old.push[0], old.push[1], old.push[2])));
+      batch.normal[lane] += old.push[3];
+    }
+  old.push = Lanes{};
+}
+
+// Room at the start of the step. A shape to which the ball has come across a seam continues the one that it lay on before.
+double roomAtStart(const WorldState& world, const BodyLink& link)
+{
+  const Pile& pile = world.pile;
+  if (hitInThisStep(pile, link.ball)) return 0.0;
+  const Vector3d& p = pile.movers[link.ball].p;
+  const Proximity near = nearestOf(world, link, p, 0.0);
+  if (!near.flat())
+    if (const Seam seam = seamWith(world, link, near, p, 0.0); seam.there) return seam.surface.distance - pile.radius(link.ball);
+  return near.distance - pile.radius(link.ball);
+}
+
+// A touch of a ball, at its place at the end of the step, and what of a shape is nearest to it there.
+void addTouch(WorldState& world, PileShare& share, std::uint32_t l, const BodyLink& link, const Vector3d& end, const Proximity& near)
 {
   Pile& pile = world.pile;
   const std::uint32_t i = link.ball;
-  Mover& mover = pile.movers[i];
+  const Mover& mover = pile.movers[i];
   const BodyRecord& body = world.bodies[link.body];
-  const Shape& shape = body.shapes()[link.shape];
+  const MaterialId material = body.shapes()[link.shape].material;
   const double radius = pile.radius(i);
+  const double overlap = std::max(-roomAtStart(world, link), 0.0);
+  share.squeezed += overlap > kSqueezed;
+  pile.changes[i].p.head<3>() += (pushOut(overlap) * near.normal).cast<float>();
+  const BallKind& kind = pile.kinds[mover.kind];
+  const double middle = pile.start + 0.5 * pile.h - body.motion.start;
+  const Vector3d u = body.moving ? frameAt(body.motion, middle).pointVelocity(end - radius * near.normal) : Vector3d(Vector3d::Zero());
+  const std::uint32_t place = share.open_bodies.place(share.body_batches, i, TouchBatch::kBody);
+  share.body_touches.push_back({u, l, place, i, material, body.moving});
+  TouchBatch& batch = share.body_batches[place / kLanes];
+  const std::size_t lane = place % kLanes;
+  const Vector3d v = mover.v - u;
+  const Vector3f n = near.normal.cast<float>();
+  batch.n.set(lane, n);
+  batch.slip.set(lane, Vector3f((v - near.normal.dot(v) * near.normal).cast<float>() - pile.changes[i].before.head<3>().cross(n)));
+  const Lanes push = overlap > kForgets ? Lanes{} : link.push;
+  batch.tangent.set(lane, Vector3f(push[0], push[1], push[2]));
+  batch.normal[lane] = push[3];
+  batch.target[lane] = static_cast<float>(-(overlap + (near.distance - radius)) / pile.h);
+  batch.normal_mass[lane] = static_cast<float>(kind.params.mass);
+  batch.slip_mass[lane] = static_cast<float>(kind.params.mass / kind.give);
+  batch.friction[lane] = static_cast<float>(world.scene.surfaces.at(kind.params.material, material).friction);
+}
+
+void gatherBody(WorldState& world, PileShare& share, std::uint32_t l, BodyLink& link, double reach)
+{
+  Pile& pile = world.pile;
+  const Mover& mover = pile.movers[link.ball];
+  const bool moving = world.bodies[link.body].moving;
   const Vector3d end = mover.p + pile.h * mover.v;
-  const auto gapAt = [&](const Vector3d& p, double t) {
-    return body.moving ? gapTo(shape, frameAt(body.motion, pile.start + t - body.motion.start), p, Vector3d::Zero(), radius)
-                       : gapTo(shape, p, Vector3d::Zero(), radius);
-  };
-  const Gap gap = gapAt(end, pile.h);
-  if (gap.gap > reach)
+  const Proximity near = nearestOf(world, link, end, pile.h);
+  if (near.distance - pile.radius(link.ball) > reach)
   {
     link.push = Lanes{};
     return;
   }
-  const double gap_at_start = hitInThisStep(pile, i) ? 0.0 : gapAt(mover.p, 0.0).gap;
-  if (body.moving && mover.asleep)
+  if (!near.flat())
+    if (const Seam seam = seamWith(world, link, near, end, pile.h); seam.there)
+    {
+      if (!moving) passOn(pile, share, l, seam.link);
+      return;
+    }
+  if (moving && mover.asleep)
   {
-    pile.wake(i);
-    clearChange(pile, i);
+    pile.wake(link.ball);
+    clearChange(pile, link.ball);
   }
-  share.squeezed += gap_at_start < -kSqueezed;
-  const double overlap = std::max(-gap_at_start, 0.0);
-  pile.changes[i].p.head<3>() += (pushOut(overlap) * gap.n_W).cast<float>();
-  const BallKind& kind = pile.kinds[mover.kind];
-  const double middle = pile.start + 0.5 * pile.h - body.motion.start;
-  const Vector3d u = body.moving ? frameAt(body.motion, middle).pointVelocity(end - radius * gap.n_W) : Vector3d(Vector3d::Zero());
-  const std::uint32_t place = share.open_bodies.place(share.body_batches, i, TouchBatch::kBody);
-  share.body_touches.push_back({u, l, place, i, shape.material, body.moving});
-  TouchBatch& batch = share.body_batches[place / kLanes];
-  const std::size_t lane = place % kLanes;
-  const Vector3d v = mover.v - u;
-  const Vector3f n = gap.n_W.cast<float>();
-  batch.n.set(lane, n);
-  batch.slip.set(lane, Vector3f((v - gap.n_W.dot(v) * gap.n_W).cast<float>() - pile.changes[i].before.head<3>().cross(n)));
-  const Lanes push = overlap > kForgets ? Lanes{} : link.push;
-  batch.tangent.set(lane, Vector3f(push[0], push[1], push[2]));
-  batch.normal[lane] = push[3];
-  batch.target[lane] = static_cast<float>(-(overlap + gap.gap) / pile.h);
-  batch.normal_mass[lane] = static_cast<float>(kind.params.mass);
-  batch.slip_mass[lane] = static_cast<float>(kind.params.mass / kind.give);
-  batch.friction[lane] = static_cast<float>(world.scene.surfaces.at(kind.params.material, shape.material).friction);
+  addTouch(world, share, l, link, end, near);
 }
 
 void gatherShare(WorldState& world, PileShare& share, double reach_of_bodies)
