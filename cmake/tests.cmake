@@ -88,6 +88,9 @@ foreach(name
     edges
     grazing
     resting
+    contact_modes
+    carried_ball
+    seams
     over_the_edge
     squeeze
     stability
