@@ -263,7 +263,7 @@ Grips allThatAlwaysGrips(const Decision& decision, const BallMotion& ball)
   return heldIfAnyStops(problem, slipping);
 }
 
-void gripAtOnce(const HeldBall& held, const Grips& grips, double t, BallMotion& ball)
+void gripAtOnce(const HeldBall& held, const Grips& grips, const ContactProblem& modes, double t, BallMotion& ball)
 {
   if (!any(grips)) return;
   const double none = 1e-3 * noSpeed(ball);
@@ -274,13 +274,18 @@ void gripAtOnce(const HeldBall& held, const Grips& grips, double t, BallMotion& 
     for (std::size_t i = 0; i < held.count; ++i)
     {
       SupportPoint at = supportPoint(held.surface[i], ball, held.radius, t);
-      const Vector3d f = grips[i].slip ? Vector3d(-at.slip / (1.0 + 1.0 / held.k)) : Vector3d(Vector3d::Zero());
-      ball.v += f - (grips[i].contact ? at.rate : std::min(at.rate, 0.0)) * at.n;
+      // What goes on slipping rubs as much more as the contact is pressed more.
+      const SupportMode& mode = modes.mode[i];
+      const double push = -(grips[i].contact ? at.rate : std::min(at.rate, 0.0));
+      const bool rubs = !grips[i].slip && mode.slip == Resistance::Slips;
+      const Vector3d f = grips[i].slip ? Vector3d(-at.slip / (1.0 + 1.0 / held.k))
+                                       : rubs ? Vector3d(-push * held.surface[i].law->friction * mode.slip_direction) : Vector3d(Vector3d::Zero());
+      ball.v += f + push * at.n;
       ball.s -= at.n.cross(f) / held.k;
       if (grips[i].roll || grips[i].spin) at = supportPoint(held.surface[i], ball, held.radius, t);
       if (grips[i].roll) ball.s -= at.roll;
       if (grips[i].spin) ball.s -= at.spin * at.n;
-      change = std::max({change, f.norm(), grips[i].contact ? std::abs(at.rate) : 0.0, grips[i].roll ? at.roll.norm() : 0.0, grips[i].spin ? std::abs(at.spin) : 0.0});
+      change = std::max({change, f.norm(), grips[i].contact ? std::abs(push) : 0.0, grips[i].roll ? at.roll.norm() : 0.0, grips[i].spin ? std::abs(at.spin) : 0.0});
     }
   }
 }
