@@ -15,6 +15,7 @@ constexpr double kMostStopped = 1e2;  // faster than this times the grip time no
 constexpr int kRounds = 4;            // of decisions: each lets something slip that could not be stopped
 constexpr double kParts = 1e-8;  // a surface that carries nothing is left at this speed [m/s]
 constexpr int kGripRounds = 1000;
+constexpr int kRubbingRounds = 200;
 
 // A resistance before it is known what it can do.
 struct Candidate
@@ -263,31 +264,57 @@ Grips allThatAlwaysGrips(const Decision& decision, const BallMotion& ball)
   return heldIfAnyStops(problem, slipping);
 }
 
+namespace
+{
+// One round over all supports; returns the largest change of a speed.
+double gripRound(const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t, BallMotion& ball)
+{
+  double change = 0.0;
+  for (std::size_t i = 0; i < held.count; ++i)
+  {
+    SupportPoint at = supportPoint(held.surface[i], ball, held.radius, t);
+    const double push = -(grips[i].contact ? at.rate : std::min(at.rate, 0.0));
+    Vector3d f = Vector3d::Zero();
+    if (grips[i].slip)
+      f = -at.slip / (1.0 + 1.0 / held.k);
+    else if (modes && modes->mode[i].slip == Resistance::Slips)
+      f = -push * held.surface[i].law->friction * modes->mode[i].slip_direction;
+    ball.v += f + push * at.n;
+    ball.s -= at.n.cross(f) / held.k;
+    change = std::max({change, f.norm(), grips[i].contact ? std::abs(push) : 0.0});
+    if (!grips[i].roll && !grips[i].spin) continue;
+    at = supportPoint(held.surface[i], ball, held.radius, t);
+    const Vector3d turn = (grips[i].roll ? at.roll : Vector3d(Vector3d::Zero())) + (grips[i].spin ? at.spin : 0.0) * at.n;
+    ball.s -= turn;
+    change = std::max(change, turn.norm());
+  }
+  return change;
+}
+
+bool gripIn(int rounds, const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t, BallMotion& ball)
+{
+  const double none = 1e-3 * noSpeed(ball), most = 1e3 * (1.0 + ball.v.norm() + ball.s.norm());
+  for (int round = 0; round < rounds; ++round)
+  {
+    const double change = gripRound(held, grips, modes, t, ball);
+    if (change <= none) return true;
+    if (!(change < most)) return false;
+  }
+  return false;
+}
+}  // namespace
+
 void gripAtOnce(const HeldBall& held, const Grips& grips, const ContactProblem& modes, double t, BallMotion& ball)
 {
   if (!any(grips)) return;
-  const double none = 1e-3 * noSpeed(ball);
-  double change = 2.0 * none;
-  for (int round = 0; round < kGripRounds && change > none; ++round)
+  BallMotion gripped = ball;
+  // What goes on slipping rubs as much more as its contact is pressed more; where that jams the ball it is left out.
+  if (!gripIn(kRubbingRounds, held, grips, &modes, t, gripped))
   {
-    change = 0.0;
-    for (std::size_t i = 0; i < held.count; ++i)
-    {
-      SupportPoint at = supportPoint(held.surface[i], ball, held.radius, t);
-      // What goes on slipping rubs as much more as the contact is pressed more.
-      const SupportMode& mode = modes.mode[i];
-      const double push = -(grips[i].contact ? at.rate : std::min(at.rate, 0.0));
-      const bool rubs = !grips[i].slip && mode.slip == Resistance::Slips;
-      const Vector3d f = grips[i].slip ? Vector3d(-at.slip / (1.0 + 1.0 / held.k))
-                                       : rubs ? Vector3d(-push * held.surface[i].law->friction * mode.slip_direction) : Vector3d(Vector3d::Zero());
-      ball.v += f + push * at.n;
-      ball.s -= at.n.cross(f) / held.k;
-      if (grips[i].roll || grips[i].spin) at = supportPoint(held.surface[i], ball, held.radius, t);
-      if (grips[i].roll) ball.s -= at.roll;
-      if (grips[i].spin) ball.s -= at.spin * at.n;
-      change = std::max({change, f.norm(), grips[i].contact ? std::abs(push) : 0.0, grips[i].roll ? at.roll.norm() : 0.0, grips[i].spin ? std::abs(at.spin) : 0.0});
-    }
+    gripped = ball;
+    gripIn(kGripRounds, held, grips, nullptr, t, gripped);
   }
+  ball = gripped;
 }
 
 double noSpeed(const BallMotion& ball) { return kNoSpeed * (1.0 + ball.v.norm() + ball.s.norm()); }
