@@ -41,6 +41,13 @@ struct RollingReference
     return here.u + at.s.cross(here.n);
   }
 
+  /// N / m: it rolls as long as this is positive. From v = u + s x n, n.dv/dt = n.(du/dt + s x dn/dt).
+  Real load(Real t, const State& at) const
+  {
+    const Ground here = ground(t, at.p, velocity(t, at));
+    return here.n.dot(here.du + at.s.cross(here.dn) - gravity);
+  }
+
   State rolled(State at, Real duration, int steps, Real t = 0.0L) const
   {
     const Real h = duration / steps;

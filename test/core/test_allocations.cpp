@@ -148,6 +148,42 @@ Scene ballsInAir()
   return scene;
 }
 
+bool letsItRoll(const World& world, const StepStatus&)
+{
+  return world.restingSince(0) < world.time() && velocityOf(world).norm() > 0.01;
+}
+
+// Over a lying cylinder that turns and shakes.
+Scene ballOnATurningCylinder()
+{
+  const Quaterniond lying(Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitX()));
+  SceneBuilder builder;
+  builder.gravity(kG).floor(-0.5).paddle("cylinder", cylinderShape(0.1, 2), {Vector3d::Zero(), lying}).ball({0, 0, 0.1 + kR}, {0.1, 0.2, 0});
+  Scene scene = builder.build();
+  makeRough(scene);
+  scene.bodies.back().twist.w = {0, 2.0, 0};
+  return scene;
+}
+
+PaddleCommand turnOn(int tick)
+{
+  return velocityCommand({0.05 * std::cos(0.3 * tick), 0, 0}, {0, 2.0 + std::sin(0.2 * tick), 0});
+}
+
+Scene ballInAGrooveInAir()
+{
+  SceneBuilder builder;
+  builder.gravity(Vector3d(0, 1, -kG));
+  builder.box("left", {1, 20, 0.1}, at({-0.5 * std::sqrt(0.5) - 0.05 * std::sqrt(0.5), 0, 0.5 * std::sqrt(0.5) - 0.05 * std::sqrt(0.5)}, 0.25 * kPi, {0, 1, 0}));
+  builder.box("right", {1, 20, 0.1}, at({0.5 * std::sqrt(0.5) + 0.05 * std::sqrt(0.5), 0, 0.5 * std::sqrt(0.5) - 0.05 * std::sqrt(0.5)}, -0.25 * kPi, {0, 1, 0}));
+  builder.ball({0, 0, kR * std::sqrt(2.0)}, {0, 0.5, 0});
+  Scene scene = builder.build();
+  makeRough(scene);
+  scene.forces.drag = scene.forces.magnus = true;
+  scene.balls[0].state.w_WB = {0, 30, 20};
+  return scene;
+}
+
 // Fifty balls in a box, in the air and in heaps.
 Scene crowd()
 {
@@ -189,6 +225,8 @@ const Case kCases[] = {{"bouncing balls and a swinging paddle", bouncingBalls, s
                        {"a paddle pushed into the table", paddleAtTheTable, pushDown, stopsThePaddle},
                        {"a squeezed ball", ballUnderThePaddle, press, squeezes},
                        {"balls that roll on a tray that moves", ballsOnATray, shake, letsThemRoll},
+                       {"a ball that rolls on a cylinder that turns", ballOnATurningCylinder, turnOn, letsItRoll},
+                       {"a ball that rolls in a groove in air", ballInAGrooveInAir, {}, letsItRoll},
                        {"air with drag and Magnus force", ballsInAir, swing, hits},
                        {"fifty balls in a box", crowd, {}, hits}};
 

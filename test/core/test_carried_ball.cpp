@@ -186,6 +186,7 @@ TEST(HeldBall, IsLetGoByATiltingPlateAtTheRightInstant)
   const double turn = 0.5;
   for (const Held& held : kHeld)
   {
+    const bool rolls = (1.0 + kShell) * held.c < held.mu;
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 100; ++i)
     {
@@ -201,7 +202,6 @@ TEST(HeldBall, IsLetGoByATiltingPlateAtTheRightInstant)
     EXPECT_LE((world.ballState(0).w_WB - Vector3d(0, turn, 0)).norm(), 1e-10);
     // Then, in the plate's frame: x'' = w^2 x + g sin - f with N = g cos - w^2 r - 2 w x'; f = mu N if it slides, and if it rolls
     // (1 + k) x'' = w^2 x + g sin - (1 + k) c N.
-    const bool rolls = (1.0 + kShell) * held.c < held.mu;
     const auto slope = [&](double t, double x, double u)
     {
       const double load = kG * std::cos(turn * t) - turn * turn * kR - 2.0 * turn * u;
@@ -224,7 +224,8 @@ TEST(HeldBall, IsLetGoByATiltingPlateAtTheRightInstant)
     world.advance(leaves + after - world.time());
     measured("let go by a tilting plate, error of the way after 0.2 s [m]", onPlate(world).x() - x);
     ASSERT_GT(x, 1e-3);
-    EXPECT_NEAR(onPlate(world).x(), x, 1e-8) << held.mu;  // an instant wrong by 1e-6 s would show as 1e-7 m
+    // An instant wrong by 1e-6 s would show as 1e-7 m. The friction of a slip that has only begun turns fast.
+    EXPECT_NEAR(onPlate(world).x(), x, rolls ? 1e-9 : 1e-6) << held.mu;
   }
 }
 
@@ -330,11 +331,13 @@ TEST(Edge, ABallWithSidespinRollsOverItAndKeepsItsEnergy)
     RollingReference::State truth{Vector3r(0, 0, Real(kR)), Vector3r(0, Real(v), Real(kR * spin))};
     double worst = 0.0, error = 0.0;
     int ticks = 0;
-    while (world.advance(1e-3).ok() && !std::isnan(world.restingSince(0)) && ticks < 1000)
+    for (; ticks < 1000; ++ticks)
     {
-      ++ticks;
       truth = reference.rolled(truth, 1e-3L, 1000);
-      error = std::max({error, distance(positionOf(world), truth.p), distance(velocityOf(world), reference.velocity(0, truth))});
+      if (!(reference.load(0, truth) > 0.0L)) break;
+      ASSERT_TRUE(world.advance(1e-3).ok());
+      error = std::max({error, distance(positionOf(world), truth.p), distance(velocityOf(world), reference.velocity(0, truth)),
+                        distance(kR * world.ballState(0).w_WB, truth.s)});
       worst = std::max(worst, std::abs(world.totals().energy() / energy - 1.0));
     }
     std::printf("[ measured ] over the edge with %g rad/s: %d ms on it, error %.3g m, m/s; energy %.3g\n", spin, ticks, error, worst);
@@ -342,6 +345,12 @@ TEST(Edge, ABallWithSidespinRollsOverItAndKeepsItsEnergy)
     ASSERT_LT(ticks, 1000);
     EXPECT_LE(error, 1e-9);
     EXPECT_LE(worst, 1e-9);
+    world.advance(0.01);  // then it flies: nothing but the height changes the energy any more
+    const BallState flies = world.ballState(0);
+    world.advance(0.02);
+    EXPECT_LE((velocityOf(world) - flies.v_WB - Vector3d(0, 0, -kG * 0.02)).norm(), 1e-14);
+    EXPECT_EQ(world.ballState(0).w_WB, flies.w_WB);
+    EXPECT_NEAR(world.totals().energy() / energy, 1.0, 1e-9);
   }
 }
 
@@ -378,23 +387,48 @@ TEST(TurningBars, BothTheSameWaySpinTheBallToTheirRimSpeed)
   EXPECT_LE(velocityOf(world).norm(), 1e-9);
 }
 
-TEST(TurningBars, AgainstEachOtherTheyDoFiniteWorkAtMost)
+TEST(TurningBars, AgainstEachOtherTheyDoFiniteWork)
 {
+  // Below the tangent of half the opening, 0.6, friction holds the balance of both bars: the ball lies still. Above it, one bar alone
+  // can carry the ball up and away from the other.
+  const double tangent = 0.6;
   for (const double mu : {0.2, 0.8, 3.0, kInf})
-    for (const double turn : {-10.0, 10.0})  // drawing it in, throwing it out
+    for (const double turn : {-10.0, 10.0})
     {
+      if (turn > 0.0 && mu > tangent) continue;  // they jam it
       World world(betweenBars(turn, -turn, rough(0.5, mu)));
+      const Vector3d start = positionOf(world);
       double fastest = 0.0;
+      std::size_t events = 0;
       for (int i = 0; i < 100; ++i)
       {
         const StepStatus status = world.advance(kTick);
         ASSERT_FALSE(status.event_limit || status.not_finite) << mu << " " << turn;
-        if (positionOf(world).z() < -0.2) break;
+        events += status.events;
+        if (positionOf(world).z() < 0.0) break;
         fastest = std::max({fastest, velocityOf(world).norm(), kR * world.ballState(0).w_WB.norm()});
       }
-      std::printf("[ measured ] bars of 0.5 m/s, mu = %g, %s: fastest %.3g m/s\n", mu, turn < 0 ? "one way" : "the other", fastest);
-      EXPECT_LE(fastest, 3.0) << mu << " " << turn;  // the rims move with 0.5 m/s; a fall by 0.25 m gives 2.2 m/s
+      std::printf("[ measured ] bars of 0.5 m/s, mu = %g, %s: fastest %.3g m/s, %zu events\n", mu, turn > 0 ? "inwards" : "outwards", fastest, events);
+      EXPECT_LE(fastest, 2.0) << mu << " " << turn;  // rims of 0.5 m/s meet it one after the other
+      EXPECT_LE(events, 2000u) << mu << " " << turn;
+      if (mu < tangent) { EXPECT_LE((positionOf(world) - start).norm(), 1e-12) << mu << " " << turn; }
     }
+}
+// --- cost ---
+
+TEST(CostOfACarriedBall, IsAFewEventsASecond)
+{
+  World rolling(turntable(8.0, rough(0.5, kInf), {0.3, 0, 0}, {0, 0.3, 0}));
+  const std::size_t rolls = runFor(rolling, 1.0, 0.01).events;
+  World held(turntable(2.0, rough(0.5, 0.5, 0.5), {0.3, 0, 0}, {0, 0.6, 0}));
+  const std::size_t lies = runFor(held, 1.0, 0.01).events;
+  World bars(betweenBars(4.0, 4.0, rough(0.5, 0.2)));
+  runFor(bars, 1.0, 0.01);
+  const std::size_t turns = runFor(bars, 1.0, 0.01).events;
+  std::printf("[ measured ] events in a second: rolling on a turntable %zu, held by it %zu, between bars %zu\n", rolls, lies, turns);
+  EXPECT_LE(rolls, 10u);
+  EXPECT_LE(lies, 10u);
+  EXPECT_LE(turns, 10u);
 }
 }  // namespace
 }  // namespace ping_pong

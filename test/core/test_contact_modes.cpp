@@ -458,5 +458,24 @@ TEST(Groove, RollingGivesWayToSlidingAtTheFrictionLimit)
     EXPECT_NEAR(speedAfter(slides), 0.5 * (slides - mu * g_z / sine), kStart) << half;
   }
 }
+
+// --- cost ---
+
+TEST(CostOfTwoSurfaces, IsNoEventsInVacuumAndAFewPiecesInAir)
+{
+  World corner(cornerScene({-1, 0, -kG}, rough(0.5, 0.3), rough(0.5, 0.5), inCorner({0, 0, 0}, {0, -20, 0})));
+  runFor(corner, 2.0, 0.1);
+  EXPECT_EQ(runFor(corner, 10.0, 0.1).events, 0u);
+  World groove(grooveScene(0.6, {0, 0.5, -9.0}, rough(0.5, 0.5), 0.3));
+  runFor(groove, 0.1, 0.1);
+  EXPECT_EQ(runFor(groove, 2.0, 0.1).events, 0u);
+  Scene scene = grooveScene(0.6, {0, 0.5, -9.0}, rough(0.5, 0.5), 0.3);
+  scene.forces.drag = true;
+  World in_air(scene);
+  runFor(in_air, 0.1, 0.1);
+  const std::size_t events = runFor(in_air, 2.0, 0.1).events;
+  measured("events in 2 s of rolling in a groove in air", static_cast<double>(events));
+  EXPECT_LE(events, 50u);
+}
 }  // namespace
 }  // namespace ping_pong
