@@ -11,8 +11,8 @@ namespace ping_pong::stability
 /// After the last real bounce a ball flies, slides, rolls, rests: some pieces of path, some changes between them.
 constexpr double kEventsPerSecond = 200.0;
 /// And the bounces of less than 1 mm/s of up to three surfaces: ln(1e-3 / 4e-6) / ln(1 / 0.9) = 52 until they lift it
-/// by 1e-12 m.
-constexpr double kLastBounces = 150.0;
+/// by 1e-12 m; and a dozen pieces for each slip that turns its direction before it ends.
+constexpr double kLastBounces = 200.0;
 constexpr double kRealBounce = 1e-3;  // [m/s]
 /// Bounces with e = 0.9 and speeds down to 1 mm/s, paddles in windows of 5 ms: far below; a storm has 1e6 in a tick.
 constexpr double kStorm = 2e4;
