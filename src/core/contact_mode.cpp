@@ -26,17 +26,23 @@ constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces
 constexpr double kShareOfStops = 0.1;   // of the tolerance
 constexpr double kUsualAcceleration = 10.0;  // [m/s^2]
 constexpr double kShortestGrip = 3e-8;  // [s]
+constexpr double kShortestPiece = 1e-9; // [s]
 constexpr double kLongestGrip = 1e-3;  // [s]
 constexpr double kShortPath = 1e-3;    // [s]
 constexpr double kSameTime = 1e-9;     // [s]
 constexpr double kShortestMotion = 1e-5;  // of a body: a path may be as much longer [s]
 constexpr std::uint32_t kPatience = 20;
 
+// Doubles with every short path beyond patience.
+double grown(double time, const Supports& supports)
+{
+  const std::uint32_t impatient = supports.shortPaths() > kPatience ? supports.shortPaths() - kPatience : 0;
+  return std::min(kLongestGrip, std::ldexp(time, static_cast<int>(impatient)));
+}
+
 double gripTime(const WorldState& world, const Supports& supports)
 {
-  const double usual = std::max(kShortestGrip, std::sqrt(kShareOfStops * world.scene.tolerance / kUsualAcceleration));
-  const std::uint32_t impatient = supports.shortPaths() > kPatience ? supports.shortPaths() - kPatience : 0;
-  return std::min(kLongestGrip, std::ldexp(usual, static_cast<int>(impatient)));
+  return grown(std::max(kShortestGrip, std::sqrt(kShareOfStops * world.scene.tolerance / kUsualAcceleration)), supports);
 }
 
 BodyFrame frameOf(const BodyRecord& body, double t) { return frameAt(body.frame(), t - body.frame().start); }
@@ -206,7 +212,7 @@ void moveOnPiece(const WorldState& world, BallRecord& ball, const HeldBall& held
   const bool moving = onMovingBody(world, ball.supports) && window_end > t;
   const double tolerance = std::max(kShareOfPieces * world.scene.tolerance, kLeastTolerance);
   ball.path.further.make().spin.make().next_piece = next_piece;
-  layHeldPiece(held, decision, motion, t, moving ? std::max(window_end - t, kShortestMotion) : kNever, tolerance, gripTime(world, ball.supports), ball.path);
+  layHeldPiece(held, decision, motion, t, moving ? std::max(window_end - t, kShortestMotion) : kNever, tolerance, grown(kShortestPiece, ball.supports), ball.path);
   if (moving && ball.path.end >= window_end - kSameTime) ball.path.end = window_end + kShortestMotion;  // see moveSteadily()
   ball.path.boundAcceleration();
 }

@@ -80,6 +80,34 @@ bool squeezedBetween(const WorldState& world, const BallRecord& ball, const Ball
 
 // --- resolve ---
 
+// Other surfaces that the ball touches, too, without closing in: it may be held by all of them from the start. What carries
+// nothing is let go when the path is planned.
+void addTouched(const WorldState& world, BallRecord& ball, const BallState& state, double t)
+{
+  constexpr double kTouchedGap = 1e-12;  // [m]
+  constexpr double kSameFace = 1e-7;     // difference of normals
+  const double radius = ball.params().radius;
+  const auto flush = [&](const Vector3d& n)
+  {
+    for (std::size_t i = 0; i < ball.supports.count(); ++i)
+    {
+      const BodyRecord& body = world.bodies[ball.supports[i].body];
+      const Gap gap = gapTo(body.shapes()[ball.supports[i].shape], frameAt(body.frame(), t - body.frame().start), state.p_WB, state.v_WB, radius);
+      if ((gap.n_W - n).norm() < kSameFace) return true;
+    }
+    return false;
+  };
+  for (std::size_t b = 0; b < world.bodies.size(); ++b)
+  {
+    const BodyRecord& body = world.bodies[b];
+    for (std::size_t s = 0; s < body.shapes().size(); ++s)
+    {
+      const Gap gap = gapTo(body.shapes()[s], frameAt(body.frame(), t - body.frame().start), state.p_WB, state.v_WB, radius);
+      if (std::abs(gap.gap) <= kTouchedGap && std::abs(gap.rate) <= kNoHopSpeed && !flush(gap.n_W)) ball.supports.add(b, s);
+    }
+  }
+}
+
 // After a bounce: if all bounces to come are too small to count, the ball lies on the surface from now on.
 void settle(const WorldState& world, BallRecord& ball, const Event& event, const Surface& law, const BodyFrame& frame,
             BallState& state, double closing, double leaving, double t)
@@ -95,6 +123,7 @@ void settle(const WorldState& world, BallRecord& ball, const Event& event, const
   // Surfaces that throw a ball at each other without end take it in the end: what is lost is below rounding of a rally.
   if (!ends && !(ball.streak > kLongStreak && gap.rate < kDeadSpeed)) return;
   ball.supports.add(event.other, event.shape);
+  addTouched(world, ball, state, t);
   ball.supports.setSince(t + (press > 0.0 ? timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution) : 0.0));
   state.v_WB -= gap.rate * gap.n_W;
   state.p_WB -= gap.gap * gap.n_W;

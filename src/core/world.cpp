@@ -26,6 +26,7 @@ constexpr double kLongestMotion = 5e-3;  // [s]
 constexpr std::size_t kContactsInATick = 256;
 constexpr std::size_t kContactsOfABall = 8;
 constexpr std::size_t kBallsWithContacts = 1000;  // of more balls only so many have a record of their own kept free
+constexpr std::size_t kBallsHeld = 1000;          // of more balls fewer roll over edges and round or turning surfaces at once
 constexpr std::size_t kManyBalls = 32;            // from here on a grid tells which balls may overlap
 
 // Each event of each ball on a path of its own.
@@ -179,6 +180,7 @@ void World::Impl::makeSpace()
   takeMemory(contacts, kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
   takeMemory(origins, contacts.capacity());
   Pooled<FurtherTerms>::reserve(2 * space_for, workers.count());  // of balls, and of balls at the start of a window
+  Pooled<SpinTerms>::reserve(2 * std::min(space_for, kBallsHeld), workers.count());
   Pooled<Passing>::reserve(2 * space_for, workers.count());
   Supports::reserve(2 * space_for, workers.count());
   const bool may_pile_up = eventByEvent(method) && balls.size() > 1;
