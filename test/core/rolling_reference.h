@@ -33,6 +33,7 @@ struct RollingReference
 
   Real k = 2.0L / 3.0L;
   Vector3r gravity = Vector3r(0, 0, -9.81L);
+  bool holds_spin = false;  ///< a torque about the normal keeps n.s zero, as it is at the start; for surfaces that do not turn
   std::function<Ground(Real t, const Vector3r& p, const Vector3r& v)> ground;
 
   Vector3r velocity(Real t, const State& at) const
@@ -69,7 +70,9 @@ private:
   {
     const Vector3r v = velocity(t, at);
     const Ground here = ground(t, at.p, v);
-    return {v, here.n.cross(gravity - here.du - at.s.cross(here.dn)) / (1 + k)};
+    State rate{v, here.n.cross(gravity - here.du - at.s.cross(here.dn)) / (1 + k)};
+    if (holds_spin) rate.s -= at.s.dot(here.dn) * here.n;
+    return rate;
   }
 };
 

@@ -11,6 +11,15 @@ namespace
 constexpr double kCarried = kShell / (1.0 + kShell);  // 2/5: part of a plate's acceleration that a rolling shell takes over
 constexpr double kTick = 0.01;                        // [s]
 
+PaddleCommand accelerate(const Vector3d& a, const Vector3d& alpha = Vector3d::Zero())
+{
+  PaddleCommand command;
+  command.mode = PaddleCommand::Mode::Acceleration;
+  command.a_W = a;
+  command.alpha_W = alpha;
+  return command;
+}
+
 // --- on a turntable ---
 
 /// A disc of 2 m whose top is z = 0, turning about the z axis, and a ball on it that does not slip.
@@ -82,15 +91,6 @@ TEST(Turntable, SpinFrictionTakesABallInTheMiddleAlongToTheTurnOfTheTable)
 
 // --- on plates that speed up and tilt ---
 
-PaddleCommand accelerate(const Vector3d& a, const Vector3d& alpha = Vector3d::Zero())
-{
-  PaddleCommand command;
-  command.mode = PaddleCommand::Mode::Acceleration;
-  command.a_W = a;
-  command.alpha_W = alpha;
-  return command;
-}
-
 /// A plate whose top goes through the body's origin, with a ball on it above that point.
 Scene plate(const Surface& law, const Twist& twist = {})
 {
@@ -108,6 +108,18 @@ Vector3d onPlate(const World& world)
 {
   const Pose pose = world.bodyPose(0);
   return pose.q.conjugate() * (positionOf(world) - pose.p);
+}
+
+TEST(Turntable, SpinFrictionSpinsUpABallNoFasterThanItCan)
+{
+  const double c = 0.02, most = c * kG / (kShell * kR);  // [rad/s^2]
+  for (const double part : {0.999, 1.5})
+  {
+    World world(turntable(0.0, rough(0.5, 0.4, 0.0, c), Vector3d::Zero(), Vector3d::Zero()));
+    world.command(0, accelerate(Vector3d::Zero(), {0, 0, part * most}));
+    runFor(world, 1.0, kTick);
+    EXPECT_NEAR(rimSpeed(world, 2), kR * std::min(1.0, part) * most, 1e-12) << part;
+  }
 }
 
 TEST(Plate, ARollingBallTakesOverTwoFifthsOfItsAcceleration)
@@ -234,9 +246,9 @@ TEST(HeldBall, IsSwungThroughHalfAMetreWithoutMoving)
   for (const Held& held : kHeld)
   {
     World world(plate(rough(0.5, held.mu, held.c)));
-    for (int i = 0; i < 100; ++i)  // 2 m/s^2 forth, half a second each way: 0.5 m; then back
+    for (int i = 0; i < 100; ++i)  // half a second of 2 m/s^2 and as long a brake: 0.5 m; it tilts and turns, too
     {
-      if (i % 50 == 0) world.command(0, accelerate({i == 0 ? 2.0 : -2.0, 0, 0}, {0, 0, i == 0 ? 0.5 : -0.5}));
+      if (i % 50 == 0) world.command(0, accelerate({i == 0 ? 2.0 : -2.0, 0, 0}, (i == 0 ? 0.5 : -0.5) * Vector3d(1, 0, 1)));
       ASSERT_TRUE(world.advance(kTick).ok());
       ASSERT_LE((onPlate(world) - Vector3d(0, 0, kR)).norm(), 1e-11) << world.time();  // rounding in each tick
     }
@@ -312,6 +324,33 @@ TEST(LyingCylinder, ABallThatRollsAcrossItWithSpinKeepsItsEnergyAndAgreesWithARe
     EXPECT_LE(error, std::max(tolerance, 1e-11));
     EXPECT_LE(energy, std::max(tolerance, 1e-11));
   }
+}
+
+TEST(LyingCylinder, SpinFrictionThatHoldsKeepsABallFromTurningAboutTheNormal)
+{
+  const Quaterniond lying(Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitX()));
+  Scene scene = SceneBuilder()
+                    .gravity(kG)
+                    .body("cylinder", BodyKind::Static, {cylinderShape(0.1, 20)}, {Vector3d::Zero(), lying})
+                    .ball({0, 0, 0.1 + kR}, {0.15, 0.4, 0})
+                    .build();
+  scene.balls[0].state.w_WB = {-0.4 / kR, 0.15 / kR, 0};
+  setSurface(scene, "ball", "wall", rough(0.5, kInf, 0.0, 10.0));
+  RollingReference reference;
+  reference.ground = lyingCylinder(0.1L);
+  reference.holds_spin = true;
+  World world(scene);
+  RollingReference::State truth = rollingState(world.ballState(0), kR);
+  double error = 0.0;
+  for (int i = 0; i < 25; ++i)
+  {
+    ASSERT_TRUE(world.advance(kTick).ok());
+    truth = reference.rolled(truth, Real(kTick), 200, 0);
+    error = std::max({error, distance(positionOf(world), truth.p), distance(velocityOf(world), reference.velocity(0, truth)),
+                      distance(kR * world.ballState(0).w_WB, truth.s)});
+  }
+  measured("no spin on a cylinder, error [m], [m/s]", error);
+  EXPECT_LE(error, 1e-9);
 }
 
 TEST(Edge, ABallWithSidespinRollsOverItAndKeepsItsEnergy)
