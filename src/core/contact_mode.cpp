@@ -257,18 +257,18 @@ Decision decideOrJam(const HeldBall& held, BallMotion& motion, double t, double 
   Decision decision = decide(held, motion, t, 0.0);
   if (const Grips grips = allThatAlwaysGrips(decision, motion); any(grips))
   {
-    gripAtOnce(held, grips, decision.problem, t, motion);
+    gripAtOnce(held, grips, nullptr, t, motion);
     decision = decide(held, motion, t, 0.0);
   }
   if (decision.answered && steady(held, decision, motion)) return decision;
   const Decision stopping = decide(held, motion, t, grip_time);
   if (any(stopping.stops))
   {
-    gripAtOnce(held, stopping.stops, stopping.problem, t, motion);
+    gripAtOnce(held, stopping.stops, &stopping.problem, t, motion);
     decision = decide(held, motion, t, 0.0);
   }
   if (decision.answered) return decision;
-  gripAtOnce(held, allThatIsRough(held), decision.problem, t, motion);
+  gripAtOnce(held, allThatIsRough(held), nullptr, t, motion);
   decision = decide(held, motion, t, 0.0);
   if (!decision.answered) decision.motion = BallAcceleration();
   return decision;

@@ -304,12 +304,12 @@ bool gripIn(int rounds, const HeldBall& held, const Grips& grips, const ContactP
 }
 }  // namespace
 
-void gripAtOnce(const HeldBall& held, const Grips& grips, const ContactProblem& modes, double t, BallMotion& ball)
+void gripAtOnce(const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t, BallMotion& ball)
 {
   if (!any(grips)) return;
   BallMotion gripped = ball;
   // What goes on slipping rubs as much more as its contact is pressed more; where that jams the ball it is left out.
-  if (!gripIn(kRubbingRounds, held, grips, &modes, t, gripped))
+  if (!modes || !gripIn(kRubbingRounds, held, grips, modes, t, gripped))
   {
     gripped = ball;
     gripIn(kGripRounds, held, grips, nullptr, t, gripped);

@@ -57,8 +57,8 @@ Grips allThatIsRough(const HeldBall& held);
 Grips allThatAlwaysGrips(const Decision& decision, const BallMotion& ball);
 
 /// Brings these motions to rest at once, as by an impulse: energy falls.
-/// @param modes  of what goes on slipping meanwhile
-void gripAtOnce(const HeldBall& held, const Grips& grips, const ContactProblem& modes, double t, BallMotion& ball);
+/// @param modes  of what goes on slipping meanwhile, and rubs; null where speeds change by so much that its slip may turn
+void gripAtOnce(const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t, BallMotion& ball);
 
 /// Slower than this is at rest: rounding [m/s].
 double noSpeed(const BallMotion& ball);
