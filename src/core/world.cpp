@@ -282,7 +282,7 @@ void World::Impl::runMethod(double end)
 }
 
 // After a body has jumped: balls that it covers are put on its surface, and push on others in turn. Whoever finds no room
-// is squeezed. (In a pile balls may overlap a little, and push each other out.)
+// is squeezed, where it is. (In a pile balls may overlap a little, and push each other out.)
 void World::Impl::makeRoom()
 {
   const std::vector<char> overlapping = ballsThatOverlap();
@@ -294,11 +294,12 @@ void World::Impl::makeRoom()
     const bool free = piled ? !overlapsABody(*this, state.p_WB, radius)
                             : overlapping[i] ? hasRoom(*this, state.p_WB, radius, i) : hasRoomAmongBodies(*this, state.p_WB, radius);
     if (free) continue;
+    const BallState covered = state;
     const bool room = pushOut(*this, state.p_WB, radius, i);  // clear of all others: none is covered that was not
     if (room)
       balls[i].path = flyParabola(state, time, Vector3d::Zero());
     else if (!piled)
-      squeeze(*this, balls[i], state, time);
+      squeeze(*this, balls[i], covered, time);
   }
 }
 

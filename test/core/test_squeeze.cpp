@@ -138,6 +138,26 @@ TEST(Squeeze, ABallPressedOnTheTableIsReportedAndLetGoAtRest)
     }
 }
 
+// Between two paddles in mid-air: nothing but them holds it.
+TEST(Squeeze, ACaughtBallStaysThereThoughAnotherBodyIsPutElsewhere)
+{
+  SceneBuilder builder;
+  builder.gravity(kG).restitution(0.5).box("far", {1, 1, 1}, at({5, 5, 5})).ball({0, 0, 0});
+  for (const double side : {-1.0, 1.0})
+    builder.paddle(side < 0.0 ? "right" : "left", boxShape({0.2, 0.02, 0.2}), at({0, 0.04 * side, 0}));
+  World world = builder.world();
+  world.command(1, velocityCommand({0, 1, 0}));
+  world.command(2, velocityCommand({0, -1, 0}));
+  ASSERT_EQ(world.advance(0.015).squeezed, 1u);
+  for (const std::size_t paddle : {1, 2}) world.command(paddle, PaddleCommand());
+  world.advance(0.01);
+  const Vector3d caught = positionOf(world);
+  ASSERT_FALSE(world.setBodyPose(0, at({5, 5, -5})));
+  EXPECT_EQ(world.advance(0.1).squeezed, 1u);
+  EXPECT_EQ(positionOf(world), caught);
+  EXPECT_EQ(velocityOf(world), Vector3d::Zero());
+}
+
 // A paddle tilted by `angle` comes down on a ball that lies on the table: a wedge. Without friction the ball squirts
 // out. With e = 0 it keeps touching both: n.(v - u) = 0 with n = (sin, 0, -cos) and v along x gives v = u / tan(angle).
 double squirt(double e, double angle, double u, bool& ok)
