@@ -23,15 +23,15 @@ constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces
 
 // What can be stopped within the grip time is stopped at once: the error is a fraction of g t^2, of the tolerance. Paths that
 // end one after the other in no time make it longer, so that they come to an end.
-constexpr double kShareOfStops = 0.1;   // of the tolerance
+constexpr double kShareOfStops = 1e-3;  // of the tolerance
 constexpr double kUsualAcceleration = 10.0;  // [m/s^2]
 constexpr double kShortestGrip = 3e-8;  // [s]
-constexpr double kShortestPiece = 1e-9; // [s]
+constexpr double kShortestPiece = 3e-8; // [s]
 constexpr double kLongestGrip = 1e-3;  // [s]
 constexpr double kShortPath = 1e-3;    // [s]
 constexpr double kSameTime = 1e-9;     // [s]
 constexpr double kShortestMotion = 1e-5;  // of a body: a path may be as much longer [s]
-constexpr std::uint32_t kPatience = 20;
+constexpr std::uint32_t kPatience = 50;
 
 // Doubles with every short path beyond patience.
 double grown(double time, const Supports& supports)

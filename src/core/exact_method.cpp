@@ -80,13 +80,14 @@ bool squeezedBetween(const WorldState& world, const BallRecord& ball, const Ball
 
 // --- resolve ---
 
-// Other surfaces that the ball touches, too, without closing in: it may be held by all of them from the start. What carries
-// nothing is let go when the path is planned.
+// Other surfaces that the ball touches, too, without closing in, and is pressed on by the first one: it is held by all of them
+// from the start.
 void addTouched(const WorldState& world, BallRecord& ball, const BallState& state, double t)
 {
   constexpr double kTouchedGap = 1e-12;  // [m]
   constexpr double kSameFace = 1e-7;     // difference of normals
   const double radius = ball.params().radius;
+  const Vector3d a = accelerationOnSupports(world, ball, state, t);
   const auto flush = [&](const Vector3d& n)
   {
     for (std::size_t i = 0; i < ball.supports.count(); ++i)
@@ -103,7 +104,9 @@ void addTouched(const WorldState& world, BallRecord& ball, const BallState& stat
     for (std::size_t s = 0; s < body.shapes().size(); ++s)
     {
       const Gap gap = gapTo(body.shapes()[s], frameAt(body.frame(), t - body.frame().start), state.p_WB, state.v_WB, radius);
-      if (std::abs(gap.gap) <= kTouchedGap && std::abs(gap.rate) <= kNoHopSpeed && !flush(gap.n_W)) ball.supports.add(b, s);
+      if (std::abs(gap.gap) > kTouchedGap || std::abs(gap.rate) > kNoHopSpeed || flush(gap.n_W)) continue;
+      const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
+      if (gapAcceleration(body.shapes()[s], frame, state.p_WB, state.v_WB, a) < 0.0) ball.supports.add(b, s);
     }
   }
 }

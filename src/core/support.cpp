@@ -6,7 +6,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::uint32_t kMostShortPaths = 60;
+constexpr std::uint32_t kMostShortPaths = 80;
 constexpr std::uint32_t kForgiven = 4;  // by one that is not
 
 Supports::Surface surface(std::size_t body, std::size_t shape)
