@@ -49,7 +49,7 @@ TEST(OverTheEdge, ASlowBallLeavesWhereCosIsTwoThirdsAndAQuarterMore)
     measured("error of the horizontal velocity [m/s]", velocityOf(world).x() - leaving * cosine);
     measured("relative energy error on the way", worst);
     measured("deepest in the edge [m]", inside);
-    // The moment of leaving is a root of the load, and the velocity notices the square of its error only.
+    // A surface that carries nothing is left at 1e-8 m/s.
     EXPECT_NEAR(velocityOf(world).x(), leaving * cosine, 1e-8);
     // A piece is a polynomial: between its nodes it is the circle to less than a picometre, and keeps 1e-9 of the energy.
     EXPECT_LE(inside, 1e-12);
