@@ -16,6 +16,9 @@ struct Pose
 {
   Vector3d p = Vector3d::Zero();                   ///< p_AB [m]
   Quaterniond q = Quaterniond::Identity();         ///< rotation B -> A, unit length
+
+  /// A point Q given in A, as it is in B [m].
+  Vector3d toB(const Vector3d& p_AQ) const { return q.conjugate() * (p_AQ - p); }
 };
 
 /// Velocity of a frame B in A, both vectors expressed in A.

@@ -48,7 +48,7 @@ void findPairsInReach(const std::vector<Shape>& shapes, const BodyMotion& motion
       for (const Shape& other : *obstacle.shapes)
       {
         const Vector3d p_WM = motion.pose.q * mine.p_BS + motion.pose.p;
-        const Vector3d p_OM = obstacle.pose.q.conjugate() * (p_WM - obstacle.pose.p);
+        const Vector3d p_OM = obstacle.pose.toB(p_WM);
         if (proximity(other, p_OM).distance - boundingRadius(mine) < travel)
           pairs.push_back({&mine, &other, obstacle.pose});
       }

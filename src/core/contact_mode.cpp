@@ -19,6 +19,7 @@ constexpr double kMostTouched = 1e-3;       // the same where contact and partin
 constexpr int kProjections = 32;
 constexpr double kShareOfPieces = 0.1;      // of the tolerance
 constexpr double kLeastTolerance = 1e-14;   // rounding [m]
+constexpr double kTouchedGap = 1e-12;       // a surface this near is touched [m]
 constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces that continue each other
 
 // What can be stopped within the grip time is stopped at once: the error is a fraction of g t^2, of the tolerance. Paths that
@@ -45,15 +46,17 @@ double gripTime(const WorldState& world, const Supports& supports)
   return grown(std::max(kShortestGrip, std::sqrt(kShareOfStops * world.scene.tolerance / kUsualAcceleration)), supports);
 }
 
-BodyFrame frameOf(const BodyRecord& body, double t) { return frameAt(body.frame(), t - body.frame().start); }
+Gap gapOver(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, double t)
+{
+  const double radius = ball.params().radius;
+  return body.moving ? gapTo(shape, body.at(t), state.p_WB, state.v_WB, radius)
+                     : gapTo(shape, state.p_WB, state.v_WB, radius);
+}
 
 Gap gapOver(const WorldState& world, const BallRecord& ball, const Supports::Surface& support, const BallState& state, double t)
 {
   const BodyRecord& body = world.bodies[support.body];
-  const Shape& shape = body.shapes()[support.shape];
-  const double radius = ball.params().radius;
-  return body.moving ? gapTo(shape, frameOf(body, t), state.p_WB, state.v_WB, radius)
-                     : gapTo(shape, state.p_WB, state.v_WB, radius);
+  return gapOver(body, body.shapes()[support.shape], ball, state, t);
 }
 
 // Where surfaces throw the ball at each other without end, small impacts are taken by all that it touches.
@@ -94,16 +97,18 @@ void dropSurfacesLeft(const WorldState& world, BallRecord& ball, BallState& stat
   projectOnAll(world, ball, state, t);
 }
 
+// The closest point of the shape lies on a plane.
+bool onFlat(const BodyRecord& body, const Shape& shape, const BallState& state, double t)
+{
+  return flat(shape, featureAt(shape, body.seenFrom(state.p_WB, t)));
+}
+
 // A face of another shape, flush with what the ball lies on: its normal is the same, and the ball touches it, too.
 bool flushFace(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, const Vector3d& n_W, double t)
 {
-  const BodyFrame frame = body.moving ? frameOf(body, t) : BodyFrame();
-  const Vector3d p_BQ = frame.R_WB.transpose() * (state.p_WB - frame.p_WB);
-  const Feature feature = featureAt(shape, p_BQ);
-  if (!flat(shape, feature)) return false;
-  const Proximity near = proximity(shape, feature, p_BQ);
-  return std::abs(near.distance - ball.params().radius) <= flushTolerance(state.p_WB, ball.params().radius) &&
-         (frame.R_WB * near.normal - n_W).norm() <= kSameNormal;
+  if (!onFlat(body, shape, state, t)) return false;
+  const Gap gap = gapOver(body, shape, ball, state, t);
+  return std::abs(gap.gap) <= flushTolerance(state.p_WB, ball.params().radius) && (gap.n_W - n_W).norm() <= kSameNormal;
 }
 
 // Beyond the border of a face a flush one carries the ball on, not the edge between both.
@@ -113,11 +118,8 @@ void passToFlushFaces(const WorldState& world, BallRecord& ball, const BallState
   {
     const Supports::Surface support = ball.supports[i];
     const BodyRecord& its_body = world.bodies[support.body];
-    const BodyFrame frame = its_body.moving ? frameOf(its_body, t) : BodyFrame();
-    const Vector3d p_BQ = frame.R_WB.transpose() * (state.p_WB - frame.p_WB);
-    const Shape& its_shape = its_body.shapes()[support.shape];
-    if (flat(its_shape, featureAt(its_shape, p_BQ))) continue;
-    const Vector3d n = frame.R_WB * proximity(its_shape, p_BQ).normal;
+    if (onFlat(its_body, its_body.shapes()[support.shape], state, t)) continue;
+    const Vector3d n = gapOver(world, ball, support, state, t).n_W;
     for (std::size_t b = 0; b < world.bodies.size(); ++b)
     {
       const BodyRecord& body = world.bodies[b];
@@ -131,6 +133,14 @@ void passToFlushFaces(const WorldState& world, BallRecord& ball, const BallState
         }
     }
   }
+}
+
+// What carries the ball already has this normal.
+bool supportedAlong(const WorldState& world, const BallRecord& ball, const BallState& state, const Vector3d& n_W, double t)
+{
+  for (std::size_t i = 0; i < ball.supports.count(); ++i)
+    if ((gapOver(world, ball, ball.supports[i], state, t).n_W - n_W).norm() < kSameNormal) return true;
+  return false;
 }
 
 bool onMovingBody(const WorldState& world, const Supports& supports)
@@ -338,6 +348,22 @@ Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball,
     if (touches(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball))) held.surface[kept++] = held.surface[i];
   held.count = kept;
   return decide(held, motionOf(state, held.radius), t, 0.0).motion.a;
+}
+
+void addTouched(const WorldState& world, BallRecord& ball, const BallState& state, double t)
+{
+  const Vector3d a = accelerationOnSupports(world, ball, state, t);
+  for (std::size_t b = 0; b < world.bodies.size(); ++b)
+  {
+    const BodyRecord& body = world.bodies[b];
+    for (std::size_t s = 0; s < body.shapes().size(); ++s)
+    {
+      const Gap gap = gapOver(body, body.shapes()[s], ball, state, t);
+      if (std::abs(gap.gap) > kTouchedGap || std::abs(gap.rate) > kNoHopSpeed) continue;
+      if (supportedAlong(world, ball, state, gap.n_W, t)) continue;
+      if (gapAcceleration(body.shapes()[s], body.at(t), state.p_WB, state.v_WB, a) < 0.0) ball.supports.add(b, s);
+    }
+  }
 }
 
 void planPath(const WorldState& world, BallRecord& ball, const BallState& state, double t, double window_end)

@@ -32,6 +32,9 @@ constexpr double kKeepSpeed = 1e-6;  ///< a support is left by moving away faste
 /// Acceleration of a ball on the supports that it still touches: loads, friction and forces together [m/s^2].
 Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball, const BallState& state, double t);
 
+/// Adds to the supports what the ball touches without closing in and is pressed on by them: all of it holds the ball from the start.
+void addTouched(const WorldState& world, BallRecord& ball, const BallState& state, double t);
+
 /// Faces this far apart are one plane [m].
 inline double flushTolerance(const Vector3d& p_WB, double radius) { return 1e-11 + 32.0 * touchTolerance(p_WB, radius); }
 

@@ -66,7 +66,7 @@ bool squeezedBetween(const WorldState& world, const BallRecord& ball, const Ball
 {
   for (const BodyRecord& body : world.bodies)
   {
-    const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
+    const BodyFrame frame = body.at(t);
     for (const Shape& shape : body.shapes())
     {
       const Gap other = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius);
@@ -79,37 +79,6 @@ bool squeezedBetween(const WorldState& world, const BallRecord& ball, const Ball
 }
 
 // --- resolve ---
-
-// Other surfaces that the ball touches, too, without closing in, and is pressed on by the first one: it is held by all of them
-// from the start.
-void addTouched(const WorldState& world, BallRecord& ball, const BallState& state, double t)
-{
-  constexpr double kTouchedGap = 1e-12;  // [m]
-  constexpr double kSameFace = 1e-7;     // difference of normals
-  const double radius = ball.params().radius;
-  const Vector3d a = accelerationOnSupports(world, ball, state, t);
-  const auto flush = [&](const Vector3d& n)
-  {
-    for (std::size_t i = 0; i < ball.supports.count(); ++i)
-    {
-      const BodyRecord& body = world.bodies[ball.supports[i].body];
-      const Gap gap = gapTo(body.shapes()[ball.supports[i].shape], frameAt(body.frame(), t - body.frame().start), state.p_WB, state.v_WB, radius);
-      if ((gap.n_W - n).norm() < kSameFace) return true;
-    }
-    return false;
-  };
-  for (std::size_t b = 0; b < world.bodies.size(); ++b)
-  {
-    const BodyRecord& body = world.bodies[b];
-    for (std::size_t s = 0; s < body.shapes().size(); ++s)
-    {
-      const Gap gap = gapTo(body.shapes()[s], frameAt(body.frame(), t - body.frame().start), state.p_WB, state.v_WB, radius);
-      if (std::abs(gap.gap) > kTouchedGap || std::abs(gap.rate) > kNoHopSpeed || flush(gap.n_W)) continue;
-      const BodyFrame frame = frameAt(body.frame(), t - body.frame().start);
-      if (gapAcceleration(body.shapes()[s], frame, state.p_WB, state.v_WB, a) < 0.0) ball.supports.add(b, s);
-    }
-  }
-}
 
 // After a bounce: if all bounces to come are too small to count, the ball lies on the surface from now on.
 void settle(const WorldState& world, BallRecord& ball, const Event& event, const Surface& law, const BodyFrame& frame,

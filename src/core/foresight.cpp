@@ -54,12 +54,7 @@ private:
   {
     const BodyRecord& body = world.bodies[support.body];
     const Shape& shape = body.shapes()[support.shape];
-    Vector3d p = ball.path.position(t - ball.path.start);
-    if (body.moving)
-    {
-      const Pose X_WB = body.motion.poseAt(t - body.motion.start);
-      p = X_WB.q.conjugate() * (p - X_WB.p);
-    }
+    const Vector3d p = body.seenFrom(ball.path.position(t - ball.path.start), t);
     const Feature feature = featureAt(shape, p);
     if (!flat(shape, feature)) return;
     const Proximity near = proximity(shape, feature, p);

@@ -61,7 +61,7 @@ void OverlapFinder::findBodies(const Vector3d& p_WB, double radius, std::optiona
 {
   for (const Body& body : bodies_)
   {
-    const Vector3d p_BQ = body.pose.q.conjugate() * (p_WB - body.pose.p);
+    const Vector3d p_BQ = body.pose.toB(p_WB);
     for (const Shape& shape : body.shapes)
     {
       const double depth = radius - proximity(shape, p_BQ).distance;

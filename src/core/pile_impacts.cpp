@@ -93,7 +93,7 @@ void hitBody(WorldState& world, const BodyLink& link, double t)
   const BodyRecord& body = world.bodies[link.body];
   const Shape& shape = body.shapes()[link.shape];
   BallState state = stateAt(pile, i, t);
-  const BodyFrame frame = frameAt(body.frame(), pile.start + t - body.frame().start);
+  const BodyFrame frame = body.at(pile.start + t);
   const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, pile.radius(i));
   pile.wake(i);
   const Vector3d p_WC = state.p_WB - pile.radius(i) * gap.n_W;

@@ -16,11 +16,6 @@ Proximity nearestTo(const Shape& shape, const BodyFrame& frame, const Vector3d& 
   return near;
 }
 
-BodyFrame frameOf(const WorldState& world, const BodyRecord& body, double t)
-{
-  return frameAt(body.motion, world.pile.start + t - body.motion.start);
-}
-
 // b lies in the tangent plane of a: what is between their points has no part along the normal of a.
 bool continues(const Proximity& b, const Proximity& a)
 {
@@ -55,7 +50,7 @@ private:
 Seam seamInBody(const WorldState& world, const BodyLink& link, const Proximity& near, const Vector3d& p, double t)
 {
   const BodyRecord& body = world.bodies[link.body];
-  const BodyFrame frame = frameOf(world, body, t);
+  const BodyFrame frame = body.at(world.pile.start + t);
   Search search(near);
   for (std::size_t s = 0; s < body.body.shapes.size(); ++s)
     if (s != link.shape) search.look(nearestTo(body.body.shapes[s], frame, p), s < link.shape, Pile::kEndOfChain);
@@ -81,7 +76,7 @@ Proximity nearestOf(const WorldState& world, const BodyLink& link, const Vector3
 {
   const BodyRecord& body = world.bodies[link.body];
   if (!body.moving) return proximity(body.placed[link.shape], p);
-  return nearestTo(body.body.shapes[link.shape], frameOf(world, body, t), p);
+  return nearestTo(body.body.shapes[link.shape], body.at(world.pile.start + t), p);
 }
 
 Seam seamWith(const WorldState& world, const BodyLink& link, const Proximity& near, const Vector3d& p, double t)

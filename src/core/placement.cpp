@@ -21,7 +21,7 @@ void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, 
 {
   for (const BodyRecord& body : world.bodies)
   {
-    const BodyFrame frame = frameAt(body.frame(), world.time - body.frame().start);
+    const BodyFrame frame = body.at(world.time);
     for (const Shape& shape : body.shapes())
     {
       const Gap gap = gapTo(shape, frame, p_WB, Vector3d::Zero(), radius);

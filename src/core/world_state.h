@@ -133,6 +133,9 @@ struct BodyRecord
 
   const std::vector<Shape>& shapes() const { return moving ? body.shapes : placed; }
   const BodyMotion& frame() const { return moving ? motion : kWorldFrame; }
+  BodyFrame at(double time) const { return frameAt(frame(), time - frame().start); }
+  /// A point given in W, in the frame of shapes() [m].
+  Vector3d seenFrom(const Vector3d& p_WQ, double time) const { return moving ? motion.poseAt(time - motion.start).toB(p_WQ) : p_WQ; }
 
   static const BodyMotion kWorldFrame;
 };

@@ -155,8 +155,7 @@ HeldBall heldBall(const WorldState& world, const BallRecord& ball, const Vector3
     surface.motion = &body.frame();
     surface.still = !body.moving;
     surface.turning = body.moving && body.motion.turning();
-    const Pose X_WB = body.moving ? body.motion.poseAt(t - body.motion.start) : Pose();
-    surface.feature = featureAt(*surface.shape, body.moving ? X_WB.q.conjugate() * (p_WB - X_WB.p) : p_WB);
+    surface.feature = featureAt(*surface.shape, body.seenFrom(p_WB, t));
     surface.flat = flat(*surface.shape, surface.feature);
   }
   return held;

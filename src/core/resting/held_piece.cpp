@@ -137,12 +137,7 @@ bool onAllFeatures(const HeldBall& held, const Vector3d& p_WB, double t)
   for (std::size_t i = 0; i < held.count; ++i)
   {
     const SupportSurface& surface = held.surface[i];
-    Vector3d p_BQ = p_WB;
-    if (!surface.still)
-    {
-      const Pose X_WB = surface.motion->poseAt(t - surface.motion->start);
-      p_BQ = X_WB.q.conjugate() * (p_WB - X_WB.p);
-    }
+    const Vector3d p_BQ = surface.still ? p_WB : surface.motion->poseAt(t - surface.motion->start).toB(p_WB);
     if (!onFeature(*surface.shape, surface.feature, p_BQ)) return false;
   }
   return true;
