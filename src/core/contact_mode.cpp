@@ -175,10 +175,8 @@ bool straight(const Decision& decision)
   for (std::size_t i = 0; i < problem.count; ++i)
   {
     const SupportPoint& at = problem.at[i];
-    const Vector3d slip_rate = tangentialTo(at.n, decision.motion.a) - decision.motion.b.cross(at.n) + at.slip_bias;
-    const Vector3d roll_rate = tangentialTo(at.n, decision.motion.b) + at.roll_bias;
-    if (problem.mode[i].slip == Resistance::Slips && !along(at.slip, slip_rate)) return false;
-    if (problem.mode[i].roll == Resistance::Slips && !along(at.roll, roll_rate)) return false;
+    if (problem.mode[i].slip == Resistance::Slips && !along(at.slip, slipRate(at, decision.motion))) return false;
+    if (problem.mode[i].roll == Resistance::Slips && !along(at.roll, rollRate(at, decision.motion))) return false;
   }
   return true;
 }
@@ -271,11 +269,11 @@ Decision decideOrJam(const HeldBall& held, BallMotion& motion, double t, double 
     decision = decide(held, motion, t, 0.0);
   }
   if (decision.answered && steady(held, decision, motion)) return decision;
-  const Decision stopping = decide(held, motion, t, grip_time);
-  if (any(stopping.stops))
+  if (movesSlowly(decision.problem, motion, grip_time))
   {
+    const Decision stopping = decide(held, motion, t, grip_time);
     gripAtOnce(held, stopping.stops, &stopping.problem, t, motion);
-    decision = decide(held, motion, t, 0.0);
+    if (any(stopping.stops)) decision = decide(held, motion, t, 0.0);
   }
   if (decision.answered) return decision;
   gripAtOnce(held, allThatIsRough(held), nullptr, t, motion);

@@ -55,10 +55,7 @@ struct Sweeper
     if (mode.slip == Resistance::Slips)
       f = -limit * mode.slip_direction;
     else
-    {
-      const Vector3d rate = tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias;
-      f = limited(force.friction - rate / (1.0 + 1.0 / problem.k), limit);
-    }
+      f = limited(force.friction - slipRate(at, motion) / (1.0 + 1.0 / problem.k), limit);
     const Vector3d more = f - force.friction;
     note(more.norm(), f.norm());
     motion.a += more;
@@ -176,20 +173,17 @@ std::array<SupportMode, kMaxSupports> modesOf(const ContactProblem& problem, con
     }
     if (mode.slip == Resistance::Holds)
     {
-      const Vector3d rate = tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias;
-      mode.slip = kindOf(force.friction.norm(), frictionLimit(law, force.load), rate.norm(), slack);
+      mode.slip = kindOf(force.friction.norm(), frictionLimit(law, force.load), slipRate(at, motion).norm(), slack);
       if (mode.slip == Resistance::Slips) mode.slip_direction = -force.friction.normalized();
     }
     if (mode.roll == Resistance::Holds)
     {
-      const Vector3d rate = tangentialTo(at.n, motion.b) + at.roll_bias;
-      mode.roll = kindOf(force.roll.norm(), rollLimit(law, problem.k, force.load), rate.norm(), slack);
+      mode.roll = kindOf(force.roll.norm(), rollLimit(law, problem.k, force.load), rollRate(at, motion).norm(), slack);
       if (mode.roll == Resistance::Slips) mode.roll_direction = -force.roll.normalized();
     }
     if (mode.spin == Resistance::Holds)
     {
-      const double rate = at.n.dot(motion.b) + at.spin_bias;
-      mode.spin = kindOf(std::abs(force.spin), spinLimit(law, problem.k, force.load), std::abs(rate), slack);
+      mode.spin = kindOf(std::abs(force.spin), spinLimit(law, problem.k, force.load), std::abs(spinRate(at, motion)), slack);
       mode.spin_direction = -std::copysign(1.0, force.spin);
     }
   }

@@ -9,11 +9,12 @@
 #include <array>
 #include <cstdint>
 
+#include "ping_pong_sim/support.h"
 #include "resting/support_point.h"
 
 namespace ping_pong
 {
-inline constexpr std::size_t kMaxSupports = 8;
+inline constexpr std::size_t kMaxSupports = Supports::kMax;
 
 /// What a dry resistance does: friction, rolling resistance, spin friction.
 enum class Resistance : std::uint8_t

@@ -32,6 +32,20 @@ Candidate candidateOf(bool named, double speed, double none, double grip_time)
   return {Resistance::Slips, false};
 }
 
+struct Candidates
+{
+  Candidate slip, roll, spin;
+};
+
+Candidates candidatesAt(const Surface& law, const SupportPoint& at, double none, double grip_time)
+{
+  const bool rough = law.friction > 0.0;
+  const bool always = law.friction == std::numeric_limits<double>::infinity();  // what a grip has left of slip is rounding
+  return {candidateOf(rough, always ? 0.0 : at.slip.norm(), none, grip_time),
+          candidateOf(rough && law.rolling_resistance > 0.0, at.roll.norm(), none, grip_time),
+          candidateOf(rough && law.spin_friction > 0.0, std::abs(at.spin), none, grip_time)};
+}
+
 Vector3d directionOf(const Vector3d& x) { return x.normalized(); }
 double directionOf(double x) { return x < 0.0 ? -1.0 : 1.0; }
 
@@ -82,17 +96,11 @@ Grips beginModes(ContactProblem& problem, double none, double grip_time)
   Grips stops;
   for (std::size_t i = 0; i < problem.count; ++i)
   {
-    const Surface& law = *problem.law[i];
-    const SupportPoint& at = problem.at[i];
-    const bool rough = law.friction > 0.0;
-    auto slip = slipOf(problem, i, false);
-    const bool always = law.friction == std::numeric_limits<double>::infinity();  // what a grip has left of slip is rounding
-    slip.begin(candidateOf(rough, always ? 0.0 : at.slip.norm(), none, grip_time), grip_time);
-    auto roll = rollOf(problem, i, false);
-    roll.begin(candidateOf(rough && law.rolling_resistance > 0.0, at.roll.norm(), none, grip_time), grip_time);
-    auto spin = spinOf(problem, i, false);
-    spin.begin(candidateOf(rough && law.spin_friction > 0.0, std::abs(at.spin), none, grip_time), grip_time);
-    stops[i] = {slip.stops, roll.stops, spin.stops, false};
+    const Candidates candidates = candidatesAt(*problem.law[i], problem.at[i], none, grip_time);
+    slipOf(problem, i, false).begin(candidates.slip, grip_time);
+    rollOf(problem, i, false).begin(candidates.roll, grip_time);
+    spinOf(problem, i, false).begin(candidates.spin, grip_time);
+    stops[i] = {candidates.slip.stops, candidates.roll.stops, candidates.spin.stops, false};
   }
   return stops;
 }
@@ -137,9 +145,9 @@ void countResistances(const ContactProblem& problem)
     if (problem.mode[i].spin != Resistance::None) count(Law::SpinFriction);
   }
 }
+
 // A resistance that slips is used up after this time, at its present rate.
 double usedUpAfter(double speed, double rate) { return rate < 0.0 ? -speed / rate : kNever; }
-
 }  // namespace
 
 HeldBall heldBall(const WorldState& world, const BallRecord& ball, const Vector3d& p_WB, double t)
@@ -176,6 +184,16 @@ ContactProblem problemAt(const HeldBall& held, const BallMotion& ball, double t)
     problem.at[i] = supportPoint(held.surface[i], ball, held.radius, t);
   }
   return problem;
+}
+
+bool movesSlowly(const ContactProblem& problem, const BallMotion& ball, double grip_time)
+{
+  for (std::size_t i = 0; i < problem.count; ++i)
+  {
+    const Candidates candidates = candidatesAt(*problem.law[i], problem.at[i], noSpeed(ball), grip_time);
+    if (candidates.slip.stops || candidates.roll.stops || candidates.spin.stops) return true;
+  }
+  return false;
 }
 
 Decision decide(const HeldBall& held, const BallMotion& ball, double t, double grip_time)
@@ -229,12 +247,9 @@ double slipsFor(const Decision& decision)
   {
     const SupportPoint& at = problem.at[i];
     const SupportMode& mode = problem.mode[i];
-    const Vector3d slip_rate = tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias;
-    const Vector3d roll_rate = tangentialTo(at.n, motion.b) + at.roll_bias;
-    if (mode.slip == Resistance::Slips) first = std::min(first, usedUpAfter(at.slip.norm(), mode.slip_direction.dot(slip_rate)));
-    if (mode.roll == Resistance::Slips) first = std::min(first, usedUpAfter(at.roll.norm(), mode.roll_direction.dot(roll_rate)));
-    if (mode.spin == Resistance::Slips)
-      first = std::min(first, usedUpAfter(std::abs(at.spin), mode.spin_direction * (at.n.dot(motion.b) + at.spin_bias)));
+    if (mode.slip == Resistance::Slips) first = std::min(first, usedUpAfter(at.slip.norm(), mode.slip_direction.dot(slipRate(at, motion))));
+    if (mode.roll == Resistance::Slips) first = std::min(first, usedUpAfter(at.roll.norm(), mode.roll_direction.dot(rollRate(at, motion))));
+    if (mode.spin == Resistance::Slips) first = std::min(first, usedUpAfter(std::abs(at.spin), mode.spin_direction * spinRate(at, motion)));
   }
   return first;
 }

@@ -42,6 +42,9 @@ struct Decision
   bool answered = true;   ///< else nothing that Coulomb's law allows
 };
 
+/// Whether a slip, a roll or a spin is slow enough to be stopped within the grip time, but not at rest.
+bool movesSlowly(const ContactProblem& problem, const BallMotion& ball, double grip_time);
+
 /// @param grip_time  what can be brought to rest within this time counts as held, and is listed in `stops`; 0: nothing [s]
 Decision decide(const HeldBall& held, const BallMotion& ball, double t, double grip_time);
 

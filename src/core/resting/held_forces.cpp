@@ -249,7 +249,7 @@ bool onOne(const ContactProblem& problem, BallAcceleration& motion)
   if (mode.slip == Resistance::None) return true;
   const Vector3d f = mode.slip == Resistance::Slips
                          ? Vector3d(-problem.law[0]->friction * load * mode.slip_direction)
-                         : Vector3d(-(tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias) / (1.0 + 1.0 / problem.k));
+                         : Vector3d(-slipRate(at, motion) / (1.0 + 1.0 / problem.k));
   motion.a += f;
   motion.b -= at.n.cross(f) / problem.k;
   return true;

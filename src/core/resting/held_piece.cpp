@@ -75,7 +75,7 @@ void layThrough(const Rates& rates, double h, double radius, Segment& path)
 
 // Error of a piece as a part of what is allowed. The path within it must not leave the surface; what is wrong at its end lasts,
 // but there Gauss points of order 2 N leave the square of what they leave within: see errorOf() of gauss_points.h.
-double errorOf(const Rates& rates, double h, double tolerance)
+double excessOf(const Rates& rates, double h, double tolerance)
 {
   constexpr double kSafety = 16.0;
   const Eigen::Matrix<double, 4, 6> b = gaussPoints().to_last * rates;
@@ -121,7 +121,7 @@ bool collocate(const HeldBall& held, const Decision& decision, const BallMotion&
     }
     before = change;
   }
-  excess = errorOf(rates, h, tolerance);
+  excess = excessOf(rates, h, tolerance);
   if (!(excess <= 1.0)) return false;
   layThrough(rates, h, held.radius, path);
   return true;
