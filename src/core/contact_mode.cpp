@@ -168,15 +168,19 @@ bool along(const Vector3d& x, const Vector3d& change)
   return x.cross(change).norm() <= 1e-12 * x.norm() * (change.norm() + 1.0);
 }
 
-// What slips and rolls keeps its direction: it changes along itself.
-bool straight(const Decision& decision)
+// What slips and rolls keeps its direction: it changes along itself, or along the direction in which it begins.
+bool straight(const Decision& decision, const BallMotion& ball)
 {
   const ContactProblem& problem = decision.problem;
+  const double begun = noSpeed(ball);
+  const auto keeps = [&](Resistance kind, const Vector3d& value, const Vector3d& direction, const Vector3d& rate)
+  { return kind != Resistance::Slips || along(value.norm() > begun ? value : direction, rate); };
   for (std::size_t i = 0; i < problem.count; ++i)
   {
     const SupportPoint& at = problem.at[i];
-    if (problem.mode[i].slip == Resistance::Slips && !along(at.slip, slipRate(at, decision.motion))) return false;
-    if (problem.mode[i].roll == Resistance::Slips && !along(at.roll, rollRate(at, decision.motion))) return false;
+    const SupportMode& mode = problem.mode[i];
+    if (!keeps(mode.slip, at.slip, mode.slip_direction, slipRate(at, decision.motion))) return false;
+    if (!keeps(mode.roll, at.roll, mode.roll_direction, rollRate(at, decision.motion))) return false;
   }
   return true;
 }
@@ -196,7 +200,7 @@ bool steady(const HeldBall& held, const Decision& decision, const BallMotion& ba
   if (held.model.spinDecay() != 0.0 && !(ball.s.isZero(0.0) && decision.motion.b.isZero(0.0))) return false;
   for (std::size_t i = 0; i < held.count; ++i)
     if (!held.surface[i].plane()) return false;
-  return straight(decision);
+  return straight(decision, ball);
 }
 
 void moveSteadily(const WorldState& world, BallRecord& ball, const HeldBall& held, const Decision& decision,

@@ -438,7 +438,7 @@ TEST(Groove, AThrownBallSlidesAlongItThenRolls)
 // N = g_z / (2 sin) + P cos with a friction of hypot(F / 2, P sin). Beyond F = mu g_z / sqrt(sin^2 - mu^2 cos^2), the most that
 // any P allows, sliding is the only motion: both walls rub with mu g_z / sin together. Between, either is a motion that the law allows.
 // Not held yet: where a slip begins its direction turns within microseconds, and the speed is off by up to 2e-6 m/s.
-TEST(Groove, DISABLED_RollingGivesWayToSlidingAtTheFrictionLimit)
+TEST(Groove, RollingGivesWayToSlidingAtTheFrictionLimit)
 {
   const double mu = 0.2, g_z = 9.0;
   for (const double half : {30.0, 45.0, 60.0})

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "evolve/gauss_points.h"
+#include "resting/slip_turning.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr int kNodes = 8;
 constexpr int kMaxSweeps = 40;
 constexpr double kFirstTry = 5e-3;     // [s]
 constexpr double kLongestPiece = 0.1;  // [s]
@@ -18,41 +18,7 @@ constexpr double kEndOfBisection = 1e-13;  // [s]
 constexpr double kInsideTolerance = 2e-11;  // [m]
 constexpr int kLooks = 4;              // at a piece, for what ends it
 
-using Rates = Eigen::Matrix<double, kNodes, 6>;   // (a, b) at the nodes
-using Speeds = Eigen::Matrix<double, kNodes, 6>;  // (v, s) at the nodes
 using Places = Eigen::Matrix<double, kNodes, 3>;
-
-const GaussPoints<kNodes>& gaussPoints()
-{
-  static const GaussPoints<kNodes> points;
-  return points;
-}
-
-// A slip that has hardly begun keeps the direction in which it begins.
-void turnAlong(Resistance kind, const Vector3d& value, Vector3d& direction)
-{
-  constexpr double kBegun = 1e-9;  // [m/s]
-  if (kind == Resistance::Slips) direction = (value + kBegun * direction).normalized();
-}
-
-// The modes of the start at a later instant. What rounding, or a stop, has left of held speeds ends with the piece.
-BallAcceleration accelerationAt(const HeldBall& held, const Decision& decision, const BallMotion& ball, double t, double h)
-{
-  const ContactProblem& start = decision.problem;
-  ContactProblem problem = problemAt(held, ball, t);
-  for (std::size_t i = 0; i < problem.count; ++i)
-  {
-    SupportPoint& at = problem.at[i];
-    SupportMode& mode = problem.mode[i];
-    mode = start.mode[i];
-    turnAlong(mode.slip, at.slip, mode.slip_direction);
-    turnAlong(mode.roll, at.roll, mode.roll_direction);
-    if (mode.slip == Resistance::Holds) at.slip_bias += start.at[i].slip / h;
-    if (mode.roll == Resistance::Holds) at.roll_bias += start.at[i].roll / h;
-    if (mode.spin == Resistance::Holds) at.spin_bias += start.at[i].spin / h;
-  }
-  return accelerationInModes(problem, decision.forces);
-}
 
 void layThrough(const Rates& rates, double h, double radius, Segment& path)
 {
@@ -100,6 +66,7 @@ bool collocate(const HeldBall& held, const Decision& decision, const BallMotion&
   Speeds speeds = (h * (points.integral * rates)).rowwise() + start;
   const double rounding = 1e-15 * (start.norm() + h * first.norm());
   double before = 0.0;
+  SlipTurning turning{held, decision, t, h};
   for (int sweep = 0;; ++sweep)
   {
     const Places places =
@@ -107,10 +74,11 @@ bool collocate(const HeldBall& held, const Decision& decision, const BallMotion&
     for (int i = 0; i < kNodes; ++i)
     {
       const BallMotion at{places.row(i).transpose(), speeds.row(i).head<3>().transpose(), speeds.row(i).tail<3>().transpose()};
-      const BallAcceleration now = accelerationAt(held, decision, at, t + h * points.nodes[i], h);
-      rates.row(i) << now.a.transpose(), now.b.transpose();
+      rates.row(i) = turning.ratesAt(i, at);
     }
-    const Speeds next = (h * (points.integral * rates)).rowwise() + start;
+    const auto led = [&] { return Speeds((h * (points.integral * rates)).rowwise() + start); };
+    turning.correct(led() - speeds, rates);
+    const Speeds next = led();
     const double change = (next - speeds).cwiseAbs().maxCoeff();
     speeds = next;
     if (change * std::min(1.0, change / before) <= 0.01 * tolerance || change <= rounding) break;
