@@ -17,7 +17,7 @@ struct Contact
   Vector3d p_WC = Vector3d::Zero();               ///< point of contact [m]
   Vector3d n_W = Vector3d::UnitZ();               ///< unit normal, from the other to B
   Vector3d v_before = Vector3d::Zero();           ///< v_WB just before [m/s]
-  Vector3d v_after = Vector3d::Zero();            ///< v_WB just after [m/s]
+  Vector3d v_after = Vector3d::Zero();            ///< v_WB just after, of all surfaces that are struck together [m/s]
   Vector3d w_before = Vector3d::Zero();           ///< spin of B just before [rad/s]
   Vector3d w_after = Vector3d::Zero();            ///< spin of B just after [rad/s]
   Vector3d v_other = Vector3d::Zero();            ///< velocity of the touched point of the other, before [m/s]

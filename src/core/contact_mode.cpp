@@ -1,9 +1,11 @@
 #include "contact_mode.h"
 
+#include <Eigen/QR>
 #include <cmath>
 
 #include "fixed_flight.h"
 #include "ping_pong_sim/evolve.h"
+#include "resting/at_once.h"
 #include "resting/held_piece.h"
 #include "streak.h"
 
@@ -16,7 +18,8 @@ constexpr double kStillSpeed = 1e-12;       // below: rounding, the ball lies st
 constexpr double kRoundedFraction = 1e-12;  // accelerations below this part of all there are are rounding
 constexpr double kTouchedFraction = 1e-7;   // parting with less than this part of them, a ball still touches
 constexpr double kMostTouched = 1e-3;       // the same where contact and parting have followed each other without end
-constexpr int kProjections = 32;
+constexpr int kProjections = 4;
+constexpr double kNearlyParallel = 0.02;   // angle between two normals [rad]
 constexpr double kShareOfPieces = 0.1;      // of the tolerance
 constexpr double kLeastTolerance = 1e-14;   // rounding [m]
 constexpr double kTouchedGap = 1e-12;       // a surface this near is touched [m]
@@ -46,13 +49,6 @@ double gripTime(const WorldState& world, const Supports& supports)
   return grown(std::max(kShortestGrip, std::sqrt(kShareOfStops * world.scene.tolerance / kUsualAcceleration)), supports);
 }
 
-Gap gapOver(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, double t)
-{
-  const double radius = ball.params().radius;
-  return body.moving ? gapTo(shape, body.at(t), state.p_WB, state.v_WB, radius)
-                     : gapTo(shape, state.p_WB, state.v_WB, radius);
-}
-
 Gap gapOver(const WorldState& world, const BallRecord& ball, const Supports::Surface& support, const BallState& state, double t)
 {
   const BodyRecord& body = world.bodies[support.body];
@@ -73,20 +69,49 @@ bool projectOn(const Gap& gap, double keep_speed, BallState& ball)
   return true;
 }
 
-// Projecting on one surface shifts the ball on the others: rounds of that bring it onto all.
+constexpr auto kMostSupports = static_cast<int>(Supports::kMax);
+using Normals = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kMostSupports, 3>;
+using GapsAndRates = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMostSupports, 2>;
+
+// Gaps and rates of all that the ball touches; false if it is on all of them.
+bool offSurfaces(const WorldState& world, const BallRecord& ball, const BallState& state, double t, Normals& normals, GapsAndRates& off)
+{
+  const double tolerance = touchTolerance(state.p_WB, ball.params().radius);
+  normals.resize(ball.supports.count(), 3);
+  off.resize(ball.supports.count(), 2);
+  normals.setZero();
+  off.setZero();
+  for (std::size_t i = 0; i < ball.supports.count(); ++i)
+  {
+    const Gap gap = gapOver(world, ball, ball.supports[i], state, t);
+    if (!touches(gap, keepSpeed(ball))) continue;
+    normals.row(i) = gap.n_W.transpose();
+    off.row(i) << gap.gap, gap.rate;
+  }
+  return (off.col(0).array().abs() > tolerance).any() || (off.col(1).array().abs() > 1e-16).any();
+}
+
+// Projecting on one surface shifts the ball on the others. Onto all at once, then, by the least shift; curved ones take a few
+// rounds (Newton). Surfaces that nearly continue each other can shift it far: these are left to projections one by one.
 void projectOnAll(const WorldState& world, const BallRecord& ball, BallState& state, double t)
 {
   if (ball.supports.count() < 2) return;
-  double shift = kNever;
-  for (int round = 0; round < kProjections && shift > 0.0; ++round)
+  Normals normals;
+  GapsAndRates off;
+  for (int round = 0; round < kProjections; ++round)
   {
-    const double tolerance = touchTolerance(state.p_WB, ball.params().radius);
-    shift = 0.0;
-    for (std::size_t i = 0; i < ball.supports.count(); ++i)
-    {
-      const Gap gap = gapOver(world, ball, ball.supports[i], state, t);
-      if (projectOn(gap, keepSpeed(ball), state) && (std::abs(gap.gap) > tolerance || std::abs(gap.rate) > 1e-16)) shift = 1.0;
-    }
+    if (!offSurfaces(world, ball, state, t, normals, off)) return;
+    Eigen::CompleteOrthogonalDecomposition<Normals> solver;
+    solver.setThreshold(kNearlyParallel);
+    solver.compute(normals);
+    const Eigen::Matrix<double, 3, 2> shift = solver.solve(off);
+    state.p_WB -= shift.col(0);
+    state.v_WB -= shift.col(1);
+  }
+  for (int round = 0; round < kProjections; ++round)
+  {
+    if (!offSurfaces(world, ball, state, t, normals, off)) return;
+    for (std::size_t i = 0; i < ball.supports.count(); ++i) projectOn(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball), state);
   }
 }
 
@@ -247,15 +272,17 @@ void removeSupport(std::size_t i, BallRecord& ball, HeldBall& held, Decision& de
   --problem.count;
 }
 
-// Supports that carry nothing and part from the ball; those that do neither are still touched.
-void dropUnloaded(BallRecord& ball, HeldBall& held, Decision& decision, const BallMotion& motion)
+// Supports that carry nothing and part from the ball; those that do neither are still touched. A ball that comes back to a
+// surface in the very instant in which it has left it touches it, too: friction turns at once, and what it does next counts.
+void dropUnloaded(BallRecord& ball, HeldBall& held, Decision& decision, const BallMotion& motion, double t)
 {
+  const bool again = t <= ball.path.start;
   const double slack = (ball.streak > kLongStreak ? kMostTouched : kTouchedFraction) * scaleOf(decision.problem);
   for (std::size_t i = held.count; i-- > 0;)
   {
     if (decision.problem.mode[i].loaded) continue;
     const SupportPoint& at = decision.problem.at[i];
-    const bool parts = at.n.dot(decision.motion.a) > at.least + slack || at.rate > noSpeed(motion);
+    const bool parts = at.rate > noSpeed(motion) || (!again && at.n.dot(decision.motion.a) > at.least + slack);
     if (parts) removeSupport(i, ball, held, decision);
   }
 }
@@ -322,7 +349,7 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
   Decision decision = decideOrJam(held, motion, t, grip_time);
   state.v_WB = motion.v;
   if (motion.s != spin_before) state.w_WB = motion.s / held.radius;
-  dropUnloaded(ball, held, decision, motion);
+  dropUnloaded(ball, held, decision, motion, t);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   if (motion.s.norm() < kStillSpeed && motion.v.norm() < kStillSpeed) state.w_WB.setZero();
   const double scale = scaleOf(decision.problem);
@@ -335,6 +362,13 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
     moveOnPiece(world, ball, held, decision, motion, t, window_end, next_piece);
 }
 }  // namespace
+
+Gap gapOver(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, double t)
+{
+  const double radius = ball.params().radius;
+  return body.moving ? gapTo(shape, body.at(t), state.p_WB, state.v_WB, radius)
+                     : gapTo(shape, state.p_WB, state.v_WB, radius);
+}
 
 double timeOfRemainingBounces(double rate, double press, double restitution)
 {

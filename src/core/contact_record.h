@@ -26,11 +26,12 @@ struct Impact
 /// A ball, the i-th of the world, has hit a body.
 /// @param n_W  normal of the surface, towards the ball
 /// @param u  velocity of the touched point of the body
-inline void recordBodyContact(Records& records, const BallRecord& ball, std::size_t i, const Event& event,
+/// @return  the record, or nullptr if none are kept
+inline Contact* recordBodyContact(Records& records, const BallRecord& ball, std::size_t i, const Event& event,
                               const Impact& impact, const Vector3d& n_W, const Vector3d& u, double t)
 {
   Contact* contact = newContact(records, i);
-  if (!contact) return;
+  if (!contact) return nullptr;
   contact->time = t;
   contact->ball = ball.id;
   contact->body = event.other;
@@ -43,5 +44,6 @@ inline void recordBodyContact(Records& records, const BallRecord& ball, std::siz
   contact->w_after = impact.w_after;
   contact->v_other = u;
   contact->impulse = ball.params().mass * (impact.v_after - impact.v_before);
+  return contact;
 }
 }  // namespace ping_pong

@@ -9,6 +9,7 @@
 #include "handover.h"
 #include "hop.h"
 #include "islands.h"
+#include "joint_impact.h"
 #include "march.h"
 #include "ping_pong_sim/evolve.h"
 #include "ping_pong_sim/resolve.h"
@@ -109,6 +110,15 @@ Surface lawOf(const WorldState& world, const BallRecord& ball, const BodyRecord&
   return law;
 }
 
+// Surfaces that throw the ball at each other without end: it strikes all that it touches at once.
+bool strikeTogether(WorldState& world, const Window& window, std::size_t i, const Event& event, double t)
+{
+  BallState state = world.balls[i].stateAt(t);
+  if (!strikeAllTouched(world, *window.records, i, event, t, state)) return false;
+  restart(world, window, i, state, t);
+  return true;
+}
+
 void hitBody(WorldState& world, const Window& window, std::size_t i, const Event& event, double t)
 {
   BallRecord& ball = world.balls[i];
@@ -116,14 +126,14 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   const Shape& shape = body.shapes()[event.shape];
   const BodyFrame frame = body.moving ? frameAt(body.motion, t - body.motion.start) : BodyFrame();
   BallState state = ball.stateAt(t);
-  const Gap gap = body.moving ? gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius)
-                              : gapTo(shape, state.p_WB, state.v_WB, ball.params().radius);
+  const Gap gap = gapOver(body, shape, ball, state, t);
   const Vector3d u = body.moving ? frame.pointVelocity(state.p_WB - ball.params().radius * gap.n_W) : Vector3d::Zero();
   countStreak(ball, t);
   if ((ball.crush > kHopelessCrush && body.moving) ||
       (ball.crush > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
     return squeeze(*window.records, ball, state, t);
   const Surface law = lawOf(world, ball, body, shape);
+  if (ball.streak > kLongStreak && law.restitutionAt(-gap.rate) < 1.0 && strikeTogether(world, window, i, event, t)) return;
   const BallState before = state;
   bounce(law, ball.params(), state, u, gap.n_W);
   if (worthAReport(ball, -gap.rate))

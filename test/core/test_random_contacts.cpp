@@ -76,6 +76,34 @@ TEST_P(RandomContacts, ObeyTheLaws)
   EXPECT_EQ(report.scenes(), kOfEach);
 }
 
+// Scenes far down the list, in each of which another fault was found.
+struct OnceBroken
+{
+  std::uint64_t index;
+  const char* fault;
+};
+class ScenesOnceBroken : public testing::TestWithParam<OnceBroken>
+{
+};
+INSTANTIATE_TEST_SUITE_P(
+    Kind, ScenesOnceBroken,
+    testing::Values(OnceBroken{47, "a slow slip was followed in pieces of microseconds"},
+                    OnceBroken{23793, "projected on two walls one after the other, the ball went on into one of them"},
+                    OnceBroken{46224, "loads of a corner were taken before their sweeps had come to an end"},
+                    OnceBroken{28259, "left and touched again in the same instant, for ever"},
+                    OnceBroken{5121, "a groove that presses on the ball by itself held it only while it moved"},
+                    OnceBroken{7214, "with several answers, modes changed from one to the next of them"},
+                    OnceBroken{54031, "between floor and overhanging plate impacts followed each other without end"},
+                    OnceBroken{32884, "nearly parallel faces threw the ball far away, to be on both"}),
+    [](const auto& info) { return std::to_string(info.param.index); });
+
+TEST_P(ScenesOnceBroken, AreRight)
+{
+  watched(
+      {GetParam().index, 1, 1, kPatience}, [](std::uint64_t i) { return judge(randomScene(kSeed, i)); },
+      [](std::uint64_t i, const Verdict& verdict) { EXPECT_FALSE(verdict.failed()) << failureLine(kSeed, i, verdict) << GetParam().fault; });
+}
+
 TEST(RandomScenes, AreAFunctionOfSeedAndNumber)
 {
   for (std::uint64_t i = 0; i < 32; ++i)

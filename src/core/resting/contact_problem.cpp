@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "count.h"
+#include "resting/contact_newton.h"
 #include "resting/held_forces.h"
 
 namespace ping_pong
@@ -12,6 +13,7 @@ namespace
 {
 constexpr int kMaxSweeps = 400;
 constexpr int kPatience = 100;        // sweeps, before it is asked whether supports press on each other
+constexpr int kSlowSweeps = 20;       // with so many left to do, Newton's method is tried
 constexpr double kConverged = 4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
 constexpr double kGoodEnough = 1e-4;  // where sweeps come to their end slowly; where there is no end they grow
 
@@ -138,7 +140,7 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
 {
   for (std::size_t i = 0; i < problem.count; ++i)
     if (problem.mode[i].slip != Resistance::None) count(Law::Friction);
-  if (allHold(withLoads(problem, nullptr, 0.0), false, motion, forces)) return true;
+  if (allHold(withLoads(problem, nullptr, 0.0), SupportForces(), false, motion, forces)) return true;
   const double scale = scaleOf(problem);
   motion = problem.free;
   for (std::size_t i = 0; i < problem.count; ++i) forces[i] = SupportForce();
@@ -147,8 +149,9 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
   {
     sweeper.sweep();
     if (sweeper.change <= kConverged * (scale + sweeper.largest)) return true;
+    if ((i == 20 || i == 100) && polishForces(problem, motion, forces)) return true;
     // Sweeps that come to the border of what can be held do so without end.
-    if (i == kPatience && allHold(withLoads(problem, &forces, kContactRounding * scale), true, motion, forces)) return true;
+    if (i == kPatience && allHold(withLoads(problem, &forces, kContactRounding * scale), SupportForces(), true, motion, forces)) return true;
     if (!(sweeper.change < 1e9 * scale)) return false;
   }
   return sweeper.change <= kGoodEnough * scale;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "count.h"
+#include "resting/held_forces.h"
 
 namespace ping_pong
 {
@@ -14,8 +15,6 @@ constexpr double kNoSpeed = 1e-12;    // rounding of speeds near 1 m/s [m/s]
 constexpr double kMostStopped = 1e2;  // faster than this times the grip time nothing is stopped within it [m/s^2]
 constexpr int kRounds = 4;            // of decisions: each lets something slip that could not be stopped
 constexpr double kParts = 1e-8;  // a surface that carries nothing is left at this speed [m/s]
-constexpr int kGripRounds = 1000;
-constexpr int kRubbingRounds = 200;
 
 // A resistance before it is known what it can do.
 struct Candidate
@@ -214,14 +213,14 @@ Decision decide(const HeldBall& held, const BallMotion& ball, double t, double g
   return decision;
 }
 
-bool modesHold(const HeldBall& held, const ContactProblem& decided, const BallMotion& ball, double t)
+bool modesHold(const HeldBall& held, const Decision& decided, const BallMotion& ball, double t)
 {
   ContactProblem problem = problemAt(held, ball, t);
   for (std::size_t i = 0; i < held.count; ++i)
   {
     // What carries no load may carry one now.
     SupportMode& mode = problem.mode[i];
-    mode = decided.mode[i];
+    mode = decided.problem.mode[i];
     if (!mode.loaded && held.surface[i].law->friction > 0.0) mode.slip = Resistance::Holds;
     const SupportPoint& at = problem.at[i];
     if (!mode.loaded && at.rate > kParts) return false;
@@ -231,10 +230,12 @@ bool modesHold(const HeldBall& held, const ContactProblem& decided, const BallMo
   }
   BallAcceleration motion;
   SupportForces forces;
+  // Where supports hold each other there are many answers: the modes hold as long as one of these has them.
+  if (allHold(problem, decided.forces, true, motion, forces)) return true;
   if (!findForces(problem, motion, forces)) return false;
   const std::array<SupportMode, kMaxSupports> found = modesOf(problem, motion, forces);
   for (std::size_t i = 0; i < held.count; ++i)
-    if (!found[i].sameAs(decided.mode[i])) return false;
+    if (!found[i].sameAs(decided.problem.mode[i])) return false;
   return true;
 }
 
@@ -254,18 +255,6 @@ double slipsFor(const Decision& decision)
   return first;
 }
 
-bool any(const Grips& grips)
-{
-  return std::any_of(grips.begin(), grips.end(), [](const Grip& grip) { return grip.slip || grip.roll || grip.spin; });
-}
-
-Grips allThatIsRough(const HeldBall& held)
-{
-  Grips grips;
-  for (std::size_t i = 0; i < held.count; ++i) grips[i].slip = held.surface[i].law->friction > 0.0;
-  return grips;
-}
-
 Grips allThatAlwaysGrips(const Decision& decision, const BallMotion& ball)
 {
   const ContactProblem& problem = decision.problem;
@@ -276,59 +265,6 @@ Grips allThatAlwaysGrips(const Decision& decision, const BallMotion& ball)
     slipping[i].slip = problem.mode[i].loaded && always && problem.at[i].slip.norm() > noSpeed(ball);
   }
   return heldIfAnyStops(problem, slipping);
-}
-
-namespace
-{
-// One round over all supports; returns the largest change of a speed.
-double gripRound(const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t, BallMotion& ball)
-{
-  double change = 0.0;
-  for (std::size_t i = 0; i < held.count; ++i)
-  {
-    SupportPoint at = supportPoint(held.surface[i], ball, held.radius, t);
-    const double push = -(grips[i].contact ? at.rate : std::min(at.rate, 0.0));
-    Vector3d f = Vector3d::Zero();
-    if (grips[i].slip)
-      f = -at.slip / (1.0 + 1.0 / held.k);
-    else if (modes && modes->mode[i].slip == Resistance::Slips)
-      f = -push * held.surface[i].law->friction * modes->mode[i].slip_direction;
-    ball.v += f + push * at.n;
-    ball.s -= at.n.cross(f) / held.k;
-    change = std::max({change, f.norm(), grips[i].contact ? std::abs(push) : 0.0});
-    if (!grips[i].roll && !grips[i].spin) continue;
-    at = supportPoint(held.surface[i], ball, held.radius, t);
-    const Vector3d turn = (grips[i].roll ? at.roll : Vector3d(Vector3d::Zero())) + (grips[i].spin ? at.spin : 0.0) * at.n;
-    ball.s -= turn;
-    change = std::max(change, turn.norm());
-  }
-  return change;
-}
-
-bool gripIn(int rounds, const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t, BallMotion& ball)
-{
-  const double none = 1e-3 * noSpeed(ball), most = 1e3 * (1.0 + ball.v.norm() + ball.s.norm());
-  for (int round = 0; round < rounds; ++round)
-  {
-    const double change = gripRound(held, grips, modes, t, ball);
-    if (change <= none) return true;
-    if (!(change < most)) return false;
-  }
-  return false;
-}
-}  // namespace
-
-void gripAtOnce(const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t, BallMotion& ball)
-{
-  if (!any(grips)) return;
-  BallMotion gripped = ball;
-  // What goes on slipping rubs as much more as its contact is pressed more; where that jams the ball it is left out.
-  if (!modes || !gripIn(kRubbingRounds, held, grips, modes, t, gripped))
-  {
-    gripped = ball;
-    gripIn(kGripRounds, held, grips, nullptr, t, gripped);
-  }
-  ball = gripped;
 }
 
 double noSpeed(const BallMotion& ball) { return kNoSpeed * (1.0 + ball.v.norm() + ball.s.norm()); }

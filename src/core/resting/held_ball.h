@@ -49,19 +49,13 @@ bool movesSlowly(const ContactProblem& problem, const BallMotion& ball, double g
 Decision decide(const HeldBall& held, const BallMotion& ball, double t, double grip_time);
 
 /// Whether modes that were decided before are still the ones, now: what slipped slips, and what held holds.
-bool modesHold(const HeldBall& held, const ContactProblem& decided, const BallMotion& ball, double t);
+bool modesHold(const HeldBall& held, const Decision& decided, const BallMotion& ball, double t);
 
 /// After how long the first thing that slips comes to rest, at its present rate; kNever if none does [s].
 double slipsFor(const Decision& decision);
 
-bool any(const Grips& grips);
-Grips allThatIsRough(const HeldBall& held);
 /// Loaded contacts without a limit of friction that slip: they grip at once. None if there is no such slip.
 Grips allThatAlwaysGrips(const Decision& decision, const BallMotion& ball);
-
-/// Brings these motions to rest at once, as by an impulse: energy falls.
-/// @param modes  of what goes on slipping meanwhile, and rubs; null where speeds change by so much that its slip may turn
-void gripAtOnce(const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t, BallMotion& ball);
 
 /// Slower than this is at rest: rounding [m/s].
 double noSpeed(const BallMotion& ball);

@@ -112,7 +112,7 @@ bool onAllFeatures(const HeldBall& held, const Vector3d& p_WB, double t)
 }
 
 // First time on the piece, from its start, at which it no longer holds; h if it does to its end.
-double holdsFor(const HeldBall& held, const ContactProblem& decided, const Segment& path, double h)
+double holdsFor(const HeldBall& held, const Decision& decided, const Segment& path, double h)
 {
   const auto holds = [&](double s)
   {
@@ -156,7 +156,7 @@ void layHeldPiece(const HeldBall& held, const Decision& decision, const BallMoti
     wanted = 0.0;
   }
   const double grown = h * std::min(3.0, 0.8 * std::pow(std::max(excess, 1e-8), -1.0 / (kNodes + 3)));
-  const double held_for = h <= shortest ? h : std::max(holdsFor(held, decision.problem, path, h), shortest);
+  const double held_for = h <= shortest ? h : std::max(holdsFor(held, decision, path, h), shortest);
   // After the last look, what ended it tells little of the next piece.
   spin.next_piece = held_for < h ? kFirstTry : std::max(grown, wanted);
   path.end = t + held_for;
