@@ -58,6 +58,7 @@ foreach(name
     paddle_drive
     paddle_blocking
     start_motion
+    world_copy
     choose_method
     flight
     ladder

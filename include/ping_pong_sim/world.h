@@ -46,7 +46,15 @@ public:
   explicit World(Scene scene);
   explicit World(std::shared_ptr<const Scene> scene);  ///< not null. The same without a copy: balls of a scene take 160 B each
   ~World();
-  World(World&&) noexcept;
+  /// A copy goes on with the same bits as its model, and neither feels what is done to the other. All that a world has is
+  /// copied, contacts() of the last tick and keepContacts() included; the scene is shared, since it does not change. Threads
+  /// are not: a copy starts as many of its own, so that who makes many copies wants a scene with one thread.
+  /// Cost: 3 us for scene `rally`, 0.2 ms for a thousand balls, with the memory that advance() will not ask for later. Assigned
+  /// to a world of the same scene a copy takes the memory that is there: 1 us and 0.07 ms. Copying only reads `other`: several
+  /// threads may do it at a time.
+  World(const World& other);
+  World& operator=(const World& other);
+  World(World&&) noexcept;  ///< of what was moved from, destruction and assignment are left
   World& operator=(World&&) noexcept;
 
   /// Moves everything on by `duration` [s]; nothing happens if it is not finite and > 0. One call is one tick: paddles follow

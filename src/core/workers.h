@@ -18,8 +18,13 @@ class Workers
 public:
   Workers() = default;
   ~Workers() { stop(); }
-  Workers(const Workers&) = delete;
-  Workers& operator=(const Workers&) = delete;
+  /// As many of its own.
+  Workers(const Workers& other) { start(other.count()); }
+  Workers& operator=(const Workers& other)
+  {
+    start(other.count());
+    return *this;
+  }
 
   /// So many from now on, the caller of each() among them. One alone needs no thread.
   void start(std::size_t count);

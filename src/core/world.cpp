@@ -110,6 +110,7 @@ struct World::Impl : WorldState
   std::size_t space_for = 0;        // balls that there is memory for
 
   void start();
+  void become(const Impl& model);
   void beginTick();
   BallRecord& add(const BallParams& params, const BallState& state);
   void remove(std::size_t index);
@@ -117,6 +118,7 @@ struct World::Impl : WorldState
   double movePaddles(double end);
   void runMethod(double end);
   void makeSpace();
+  void takeSpace();
   void planAll();
   void planBall(std::size_t index);
   void letGo(std::size_t body);
@@ -153,6 +155,23 @@ void World::Impl::start()
   islands.length.estimate(*this);
 }
 
+// Memory for the ticks to come is there before what is copied comes to lie in it: lists that are assigned keep theirs.
+void World::Impl::become(const Impl& model)
+{
+  if (space_for < model.space_for)
+  {
+    method = model.method;
+    workers = model.workers;
+    space_for = model.space_for;
+    takeSpace();
+  }
+  *this = model;
+  ownWhatPoints(*this);
+  obstacles.clear();
+  near_obstacles.clear();
+  makeSpace();
+}
+
 void World::Impl::beginTick()
 {
   contacts.clear();
@@ -177,13 +196,18 @@ void World::Impl::makeSpace()
   if (balls.size() <= space_for && space_for > 0) return;
   if (balls.size() > 1) workers.start(scene.threads);
   space_for = space_for == 0 ? balls.size() : std::max(balls.size(), 2 * space_for);
+  takeSpace();
+}
+
+void World::Impl::takeSpace()
+{
   takeMemory(contacts, kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
   takeMemory(origins, contacts.capacity());
   Pooled<FurtherTerms>::reserve(2 * space_for, workers.count());  // of balls, and of balls at the start of a window
   Pooled<SpinTerms>::reserve(2 * std::min(space_for, kBallsHeld), workers.count());
   Pooled<Passing>::reserve(2 * space_for, workers.count());
   Supports::reserve(2 * space_for, workers.count());
-  const bool may_pile_up = eventByEvent(method) && balls.size() > 1;
+  const bool may_pile_up = eventByEvent(method) && space_for > 1;
   if (may_pile_up) islands.reserve(space_for, workers.count());
   if (may_pile_up || method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
 }
@@ -340,6 +364,16 @@ void World::Impl::countTroubles()
 
 World::World(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene))) { impl_->start(); }
 World::World(Scene scene) : World(std::make_shared<const Scene>(std::move(scene))) {}
+
+World::World(const World& other) : impl_(std::make_unique<Impl>(other.impl_->loaded)) { impl_->become(*other.impl_); }
+
+World& World::operator=(const World& other)
+{
+  if (this == &other) return *this;
+  if (impl_ == nullptr || impl_->loaded != other.impl_->loaded) return *this = World(other);
+  impl_->become(*other.impl_);
+  return *this;
+}
 
 World::~World() = default;
 World::World(World&&) noexcept = default;

@@ -82,6 +82,22 @@ void IslandRecords::reserve(std::size_t balls, std::size_t workers)
   }
 }
 
+void ownWhatPoints(WorldState& world)
+{
+  const BallType* theirs = nullptr;
+  const BallType* own = nullptr;
+  for (BallRecord& ball : world.balls)
+  {
+    if (ball.type != theirs)
+    {
+      theirs = ball.type;
+      own = &world.types.of(theirs->first, world.scene.forces);
+    }
+    ball.type = own;
+  }
+  for (IslandWork& work : world.islands.work) work.saved.clear();  // of a window that is over
+}
+
 void placeBody(BodyRecord& body, Pose pose)
 {
   body.motion = BodyMotion();

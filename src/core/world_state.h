@@ -1,6 +1,7 @@
 // What the methods share: every ball, every body, and the records of the tick.
 #pragma once
 
+#include <cassert>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -352,12 +353,28 @@ struct IslandRecords
   }
 };
 
-struct WorldState : Records
+/// What a world was made of. It never changes, so that a world and its copies share it.
+struct SharedScene
 {
-  explicit WorldState(std::shared_ptr<const Scene> its_scene) : loaded(std::move(its_scene)), scene(*loaded) {}
-
   std::shared_ptr<const Scene> loaded;
-  const Scene& scene;                     ///< the same
+  const Scene& scene;  ///< the same
+
+  explicit SharedScene(std::shared_ptr<const Scene> its) : loaded(std::move(its)), scene(*loaded) {}
+  SharedScene(const SharedScene&) = default;
+  SharedScene& operator=([[maybe_unused]] const SharedScene& same)  ///< and no other
+  {
+    assert(loaded == same.loaded);
+    return *this;
+  }
+};
+
+/// After an assignment, ownWhatPoints() is to be called.
+struct WorldState : Records, SharedScene
+{
+  explicit WorldState(std::shared_ptr<const Scene> its_scene) : SharedScene(std::move(its_scene)) {}
+  WorldState(const WorldState&) = delete;
+  WorldState& operator=(const WorldState&) = default;
+
   Method method = Method::Exact;          ///< in use: never Auto
   double time = 0.0;  ///< [s]
   BallTypes types;
@@ -383,6 +400,9 @@ struct WorldState : Records
     return scene.surfaces.at(a.params().material, b.params().material);
   }
 };
+
+/// Of a world that was assigned another one: what pointed into that one points into its own records, or nowhere.
+void ownWhatPoints(WorldState& world);
 
 /// Puts a still body at a pose and flattens its shapes into the world frame.
 void placeBody(BodyRecord& body, Pose pose);

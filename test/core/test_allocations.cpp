@@ -200,8 +200,15 @@ Scene crowd()
   return builder.build();
 }
 
+enum class Copied
+{
+  Never,
+  AfterAQuarter,  ///< the copy goes on
+  InPlace         ///< over a world of the same scene that has gone on
+};
+
 // Of each tick of 10 ms in a second.
-std::vector<long> allocationsOf(const Case& what, Method method)
+std::vector<long> allocationsOf(const Case& what, Method method, Copied copied = Copied::Never)
 {
   Scene scene = what.scene();
   scene.method = method;
@@ -210,6 +217,14 @@ std::vector<long> allocationsOf(const Case& what, Method method)
   bool happened = !locatesContacts(method) || method == Method::Impulse;  // which tells of rest when a ball sleeps
   for (int i = 0; i < 100; ++i)
   {
+    if (i == 25 && copied == Copied::AfterAQuarter) world = World(world);
+    if (i == 25 && copied == Copied::InPlace)
+    {
+      World other = world;
+      other.advance(0.5);
+      other = world;
+      world = std::move(other);
+    }
     if (what.command) world.command(world.bodyCount() - 1, what.command(i));
     const long before = allocations;
     const StepStatus status = world.advance(0.01);
@@ -248,6 +263,33 @@ TEST(Allocations, NoneFromTheFirstTickOnInAnyMethod)
   for (const Case& what : kCases)
     for (const Method method : kMethods)
       EXPECT_EQ(allocationsOf(what, method), std::vector<long>(100)) << what.title << ", " << name(method);
+}
+
+TEST(Allocations, NoneOfACopyEither)
+{
+  for (const Case& what : kCases)
+    for (const Method method : kMethods)
+      for (const Copied copied : {Copied::AfterAQuarter, Copied::InPlace})
+        EXPECT_EQ(allocationsOf(what, method, copied), std::vector<long>(100)) << what.title << ", " << name(method);
+}
+
+// As a planner goes back to the same instant for each try.
+TEST(Allocations, NoneToBringAWorldBackToAnInstant)
+{
+  for (const Case& what : kCases)
+    for (const Method method : kMethods)
+    {
+      Scene scene = what.scene();
+      scene.method = method;
+      World world(scene);
+      if (what.command) world.command(world.bodyCount() - 1, what.command(0));
+      run(world, 0.01, 40);
+      World tried = world;
+      run(tried, 0.01, 40);
+      const long before = allocations;
+      tried = world;
+      EXPECT_EQ(allocations - before, 0) << what.title << ", " << name(method);
+    }
 }
 
 // A tick of a second in a crowd has more impacts than there is room for at the start: 256, and 8 for each of 50 balls. The
