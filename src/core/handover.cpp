@@ -47,6 +47,16 @@ Box boxAround(const BallRecord& ball, double start, double end)
   return box;
 }
 
+// Appends who may come into this box in the window. The grid is as large as the free balls ask for: what is beyond it, it takes
+// to be at its border, so that what it lists may be far away.
+void listWhoMayMeet(const WorldState& world, const CoarseBox& box, double start, double end, std::vector<std::uint32_t>& list)
+{
+  const std::size_t before = list.size();
+  world.islands.broad_phase.listOverlapping(box, list);
+  const auto apart = [&](std::uint32_t k) { return !box.overlaps(CoarseBox(boxAround(world.balls[k], start, end))); };
+  list.erase(std::remove_if(list.begin() + static_cast<std::ptrdiff_t>(before), list.end(), apart), list.end());
+}
+
 // Joins whoever is near, and who is near them, and so on.
 void spread(WorldState& world, double start, double end)
 {
@@ -54,7 +64,7 @@ void spread(WorldState& world, double start, double end)
   for (std::size_t first = 0; first < islands.near.size(); ++first)
   {
     islands.found.clear();
-    islands.broad_phase.listOverlapping(islands.near_boxes[first], islands.found);
+    listWhoMayMeet(world, islands.near_boxes[first], start, end, islands.found);
     std::sort(islands.found.begin(), islands.found.end());
     for (const std::uint32_t k : islands.found)
     {
@@ -131,7 +141,7 @@ void joinPile(WorldState& world, double start, double end)
   islands.broad_phase.build(world.balls.size(), boxOfFree, world.workers);
   islands.near.clear();
   for (const std::uint32_t piled : world.pile.ball)
-    islands.broad_phase.listOverlapping(boxAround(world.balls[piled], start, end), islands.near);
+    listWhoMayMeet(world, CoarseBox(boxAround(world.balls[piled], start, end)), start, end, islands.near);
   const auto away = [&](std::uint32_t i) { return world.balls[i].away(); };
   islands.near.erase(std::remove_if(islands.near.begin(), islands.near.end(), away), islands.near.end());
   std::sort(islands.near.begin(), islands.near.end());

@@ -76,6 +76,33 @@ TEST(HandOver, APourGoesFromTheFirstBounceToRestWithoutAnyoneChoosing)
   EXPECT_NEAR(height(world), height(stepped), 0.03 * height(world));
 }
 
+// While all others lie in the heap it is the only one in the grid of free balls, and the heap is beyond that.
+TEST(HandOver, ABallFarAboveAHeapJoinsItWhenItArrives)
+{
+  for (const double settled : {0.6, 4.0})  // awake and asleep
+  {
+    World world(pour(Method::Auto, 100));
+    const StepStatus at_first = world.advance(settled);
+    ASSERT_EQ(at_first.piled, 100u);
+    BallState above;
+    above.p_WB = {0.01, 0.02, 1.3};
+    ASSERT_FALSE(world.spawnBall(BallParams(), above));
+    double highest = 0.0;
+    for (std::size_t i = 0; i < 100; ++i) highest = std::max(highest, positionOf(world, i).z());
+    bool joined = false;
+    for (int tick = 0; tick < 100 && !joined; ++tick)
+    {
+      const double room = positionOf(world, 100).z() - highest - 2 * kR;
+      joined = world.advance(5e-3).piled == 101;
+      if (joined)  // no farther away than it comes in a tick, as fast as it gets
+      {
+        EXPECT_LE(room, 5e-3 * std::sqrt(2 * kG * 1.3) + 0.01) << "after " << settled << " s";
+      }
+    }
+    EXPECT_TRUE(joined);
+  }
+}
+
 TEST(HandOver, AGasThatMeetsSeldomIsNeverPassedOn)
 {
   Scene scene = pour(Method::Exact, 100, 0.9);
