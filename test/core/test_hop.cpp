@@ -79,6 +79,15 @@ TEST(Hop, AnObliqueField)
   expectSameBits(scene, 20.0, 30);
 }
 
+TEST(Hop, DownASlopeThatIsAllThereIs)
+{
+  Shape half_space;
+  half_space.kind = ShapeKind::HalfSpace;
+  SceneBuilder builder;
+  builder.gravity(kG).restitution(0.9).body("slope", BodyKind::Static, {half_space}, at({0, 0, 0}, 0.2, {1, 2, 0}));
+  expectSameBits(builder.ball({0, 0, 0.5}).build(), 4.0, 6);
+}
+
 TEST(Hop, FlightsLongerThanTheHorizonAndABoxOnTheWay)
 {
   expectSameBits(SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 40.0}, {0.5, 0, 0}).build(), 60.0, 5);

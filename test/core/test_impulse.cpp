@@ -110,6 +110,22 @@ TEST(Impulse, OnASlopeABallRollsOrSlidesByTheClosedForm)
   }
 }
 
+// It resists what rolls, not what presses: neither impacts nor the way to rest feel it.
+TEST(Impulse, RollingResistanceIsNothingToABallThatComesStraightDown)
+{
+  for (const double height : {0.0, 1e-5, 1e-3, 0.1})
+  {
+    Scene scene = SceneBuilder(Method::Impulse, 1e-3).gravity(kG).floor().ball({0, 0, kR + height}).build();
+    World free(withFriction(scene, 0.3, 0.5)), resisted(withFriction(scene, 0.3, 0.5, 0.5));
+    for (int tick = 0; tick < 1000; ++tick)
+    {
+      free.advance(1e-3);
+      resisted.advance(1e-3);
+      ASSERT_EQ(stateHash(resisted), stateHash(free)) << height << " m, tick " << tick;
+    }
+  }
+}
+
 TEST(Impulse, NoFastBallPassesAThinPlate)
 {
   for (const double speed : {3.0, 30.0, 300.0})

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "ping_pong_sim/drive.h"
 #include "ping_pong_sim/scene_loader.h"
 #include "ping_pong_sim/separation.h"
 #include "ping_pong_sim/world.h"
@@ -154,6 +155,29 @@ TEST(Blocking, ATurningPaddleNeverEntersTheTable)
     }
   }
   EXPECT_LE(deepest, 0.0) << "depth in m";
+}
+
+// A plate turns in its plane just over a table. One look knows it clear for as long as its fastest point would take to use up
+// the gap but for half of the band of 0.1 mm in which it touches. After 64 looks the motion ends, and the next piece goes on.
+TEST(Blocking, ATurnJustOverTheTableIsMovedAsFarAs64LooksReach)
+{
+  Shape plate, table;
+  plate.half_size = {0.1, 0.1, 0.005};
+  table.half_size = {1.0, 1.0, 0.05};
+  const std::vector<Shape> plates{plate}, tables{table};
+  const double gap = 1.5e-4, h = 5e-3;
+  std::vector<ShapePair> near;
+  for (const double w : {5.0, 10.0, 14.0})
+  {
+    BodyMotion motion;
+    motion.pose.p.z() = 0.055 + gap;
+    motion.twist.w.z() = w;
+    const BlockedMotion allowed = stopAtObstacles(plates, motion, h, {{&tables, Pose()}}, near);
+    const double reach = 64.0 * (gap - 0.5e-4) / (w * plate.half_size.norm());
+    EXPECT_NEAR(allowed.duration, std::min(reach, h), 1e-12) << w;  // the gap is a difference of numbers near 0.05: 1e-17
+    EXPECT_EQ(allowed.motion.twist.w.z(), w);
+    EXPECT_EQ(allowed.blocked, reach < h) << w;
+  }
 }
 
 TEST(Blocking, APaddleThatATableWasMovedOntoIsPushedOutSlowly)

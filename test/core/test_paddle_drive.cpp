@@ -119,6 +119,26 @@ TEST(PaddleDrive, AccelerationAndSpeedStayWithinTheLimits)
   EXPECT_NEAR(paddle.v().x(), 2.0, 1e-12);
 }
 
+// Each tick asks for more than the limit: what comes out differs from what the drive does already by a rounding, which would
+// be an acceleration if it were taken for one.
+TEST(PaddleDrive, AtItsTopSpeedItIsNotAcceleratedByRounding)
+{
+  const DriveLimits limits{1000.0, kInf, 1000.0, kInf};
+  for (const Vector3d& direction : {Vector3d(1, 2, 3), Vector3d(3, -1, 0.7), Vector3d(-0.3, 0.1, 9)})
+  {
+    const double h = 2e-3;
+    BodyMotion motion;
+    for (int tick = 0; tick < 50; ++tick)
+    {
+      motion = followCommand(accelerate(1e6 * direction, 1e6 * direction), limits, motion, h * tick, h);
+      if (tick < 3) continue;  // by then it is there
+      ASSERT_NEAR(motion.twist.v.norm(), 1000.0, 1e-9);
+      ASSERT_EQ(motion.a_WB, Vector3d::Zero()) << tick;
+      ASSERT_EQ(motion.alpha_WB, Vector3d::Zero()) << tick;
+    }
+  }
+}
+
 TEST(PaddleDrive, HoldStopsAtFullBrakingAndThenStandsStill)
 {
   Paddle paddle({10.0, 100.0, 10.0, 100.0});
