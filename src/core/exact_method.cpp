@@ -348,9 +348,15 @@ void releaseSqueezed(WorldState& world)
     BallRecord& ball = world.balls[i];
     if (!ball.squeezed) continue;
     const BallState state = ball.stateAt(world.time);
-    ball.squeezed = !hasRoom(world, state.p_WB, ball.params().radius, i);
+    const bool of_pile = ball.piled || world.method == Method::Impulse;
+    ball.squeezed = of_pile ? !hasRoomInPile(world, state.p_WB, ball.params().radius, i) : !hasRoom(world, state.p_WB, ball.params().radius, i);
     world.any_squeezed |= ball.squeezed;
     if (ball.squeezed) continue;
+    if (of_pile)
+    {
+      addToPile(world, static_cast<std::uint32_t>(i), world.time);
+      continue;
+    }
     planPath(world, ball, state, world.time, world.time);
     foresee(world, i, world.time);
   }

@@ -90,7 +90,7 @@ bool roomAround(const Pile& pile, std::uint32_t slot)
 void letGoWhoIsFree(WorldState& world, double t, double smooth_until)
 {
   const Pile& pile = world.pile;
-  if (pile.steps % kLetGoEvery != 0) return;
+  if (pile.steps % kLetGoEvery != 0 || pile.links_void) return;
   std::vector<std::uint32_t>& free = world.islands.near;
   free.clear();
   for (const PileShare& share : pile.shares)

@@ -65,6 +65,13 @@ struct BodyTouch
   bool moving;                   ///< link of a moving body
 };
 
+/// A ball that has no room, and the place where it was last whole.
+struct SqueezedBall
+{
+  std::uint32_t ball;         ///< its index in WorldState::balls
+  Vector3d p_WB;              ///< [m]
+};
+
 /// An impact in this step, if nothing happens to its balls before.
 struct ImpactAhead
 {
@@ -134,6 +141,7 @@ struct Pile : PileSlots
   std::vector<std::uint32_t> first_link;  ///< of each ball, the beginning of the chain of its links in `pairs`
   std::vector<std::uint32_t> first_body;  ///< the same in `bodies`
   std::vector<ImpactAhead> ahead;         ///< heap, the next one on top
+  std::vector<SqueezedBall> squeezed;     ///< found in this step, by index
   std::vector<KeptPair> old_kept;
   std::vector<BodyLink> old_bodies;
   std::vector<std::uint32_t> old_slot, new_slot;  ///< scratch
@@ -147,6 +155,8 @@ struct Pile : PileSlots
   bool links_void = true;
   double h = 0.0;                       ///< length of the step [s]
   double start = 0.0, end = 0.0;        ///< of the step [s]
+  double pressing = 0.0;                ///< speed of the fastest moving body that presses on a ball in this step, 0 if none does [m/s]
+  double fastest = 0.0;                 ///< speed of the fastest ball before the contacts of this step, if one does [m/s]
   double least_impact = 0.0;            ///< of the first impact in a step [m/s]
 
   /// Slower is no impact but a contact [m/s]: after each impact in a step four times as much, or a jam would have no end.
@@ -185,6 +195,8 @@ struct Pile : PileSlots
   bool anyAwake() const;
 };
 
+/// As many as there are if it is not in the pile.
+std::uint32_t slotOf(const Pile& pile, std::uint32_t ball);
 /// Takes a ball of the world in, at its state then.
 void addToPile(WorldState& world, std::uint32_t ball, double time);
 /// Takes it out, and wakes up who lay on it.

@@ -118,7 +118,7 @@ void addTouch(WorldState& world, PileShare& share, std::uint32_t l, const BodyLi
   const MaterialId material = body.shapes()[link.shape].material;
   const double radius = pile.radius(i);
   const double overlap = std::max(-roomAtStart(world, link), 0.0);
-  share.squeezed += overlap > kSqueezed;
+  share.squeezed += pile.moving.empty() && overlap > kSqueezed;
   pile.changes[i].p.head<3>() += (pushOut(overlap) * near.normal).cast<float>();
   const BallKind& kind = pile.kinds[mover.kind];
   const double middle = pile.start + 0.5 * pile.h - body.motion.start;

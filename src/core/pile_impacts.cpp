@@ -6,6 +6,7 @@
 #include "count.h"
 #include "pile_ahead.h"
 #include "pile_shares.h"
+#include "pile_squeeze.h"
 #include "ping_pong_sim/resolve.h"
 
 namespace ping_pong
@@ -71,6 +72,8 @@ void hitPair(WorldState& world, const PairLink& link, double t)
   const Surface& law = world.scene.surfaces.at(params_a.material, params_b.material);
   const Vector3d p_WC = a.p_WB - params_a.radius * n;
   const Vector3d v_other = b.v_WB + b.w_WB.cross(p_WC - b.p_WB);
+  if (!pile.moving.empty())
+    for (const std::uint32_t i : {link.a, link.b}) noteOther(pile, i);
   Contact* contact = newContact(world, pile.ball[link.a], a, t);
   const Vector3d impulse = part(law, law.restitutionAt(closing) * closing, params_a, a, params_b, b, n);
   if (contact != nullptr)
@@ -99,7 +102,9 @@ void hitBody(WorldState& world, const BodyLink& link, double t)
   const Vector3d p_WC = state.p_WB - pile.radius(i) * gap.n_W;
   const Vector3d u = body.moving ? frame.pointVelocity(p_WC) : Vector3d::Zero();
   Contact* contact = newContact(world, pile.ball[i], state, t);
-  const Surface& law = world.scene.surfaces.at(pile.params(i).material, shape.material);
+  Surface law = world.scene.surfaces.at(pile.params(i).material, shape.material);
+  if (body.moving && takesAlong(pile, link, t)) law.restitution = 0.0;
+  if (!body.moving && !pile.moving.empty()) noteOther(pile, i);
   const Vector3d impulse = bounce(law, pile.params(i), state, u, gap.n_W);
   if (contact != nullptr)
   {

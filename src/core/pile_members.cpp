@@ -31,12 +31,6 @@ std::uint16_t kindOf(Pile& pile, const BallRecord& ball)
   return static_cast<std::uint16_t>(pile.kinds.size() - 1);
 }
 
-// As many as there are if it is not in the pile.
-std::uint32_t slotOf(const Pile& pile, std::uint32_t ball)
-{
-  return static_cast<std::uint32_t>(std::find(pile.ball.begin(), pile.ball.end(), ball) - pile.ball.begin());
-}
-
 // What is new is as its type says, but Eigen leaves its own as they are found in memory.
 template <typename Entry>
 void makeBlank(Entry&)
@@ -68,9 +62,15 @@ void take(WorldState& world, std::size_t slot, double time)
   pile.q[slot] = state.q_WB;
   pile.turn[slot].setZero();
   pile.still[slot] = pile.untouched[slot] = 0.0f;
+  pile.throws[slot] = Throw();
   pile.links_void = true;
 }
 }  // namespace
+
+std::uint32_t slotOf(const Pile& pile, std::uint32_t ball)
+{
+  return static_cast<std::uint32_t>(std::find(pile.ball.begin(), pile.ball.end(), ball) - pile.ball.begin());
+}
 
 void clearPile(Pile& pile)
 {
@@ -80,6 +80,7 @@ void clearPile(Pile& pile)
   pile.old_kept.clear();
   pile.bodies.clear();
   pile.moving.clear();
+  pile.squeezed.clear();
   for (PileShare& share : pile.shares) clearShare(share);
   pile.counter = 1;
   pile.steps = 0;
@@ -116,6 +117,7 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   pile.share_of.reserve(balls);
   for (PileShare& share : pile.shares) reserveShare(share, kMore + balls / (Pile::kMostSlabs / 2));
   pile.old_kept.reserve(kTouches * balls);
+  pile.squeezed.reserve(kBodies * balls + kMore);
   pile.first_link.reserve(balls);
   pile.first_body.reserve(balls);
   pile.ahead.reserve(kTouches * balls + kMore);

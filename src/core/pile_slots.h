@@ -39,6 +39,14 @@ struct alignas(64) Change
 };
 static_assert(sizeof(Change) == 64, "one cache line");
 
+/// The last hit of a ball by a moving body.
+struct Throw
+{
+  double time = -1e300;     ///< [s]
+  std::uint16_t body = 0;
+  bool other = false;       ///< the ball has hit something else since
+};
+
 struct PileSlots
 {
   static constexpr std::uint8_t kCarried = 1;  ///< by something that pushes,
@@ -58,15 +66,17 @@ struct PileSlots
   std::vector<Eigen::Vector3f> anchor;  ///< place that it has not left for the time `still`, from home [m]
   std::vector<float> still;             ///< [s]
   std::vector<float> untouched;         ///< time since it touched another ball [s]
+  std::vector<Throw> throws;
+  std::vector<Vector3d> places;         ///< where it was at the start of the step, if a moving body is near any ball [m]
 };
 
 /// Calls action(list) for each of these lists. @param with_a  `a`, too: it has no entries where accelerations are constant
 template <typename Action>
 void eachSlotList(PileSlots& slots, bool with_a, const Action& action)
 {
-  auto& [ball, movers, w, q, turn, changes, swept, pushed, a, home, sweep, anchor, still, untouched] = slots;  // does not compile if one is left out
+  auto& [ball, movers, w, q, turn, changes, swept, pushed, a, home, sweep, anchor, still, untouched, throws, places] = slots;  // does not compile if one is left out
   const auto each = [&action](auto&... lists) { (action(lists), ...); };
-  each(ball, movers, w, q, turn, changes, swept, pushed, home, sweep, anchor, still, untouched);
+  each(ball, movers, w, q, turn, changes, swept, pushed, home, sweep, anchor, still, untouched, throws, places);
   if (with_a) action(a);
 }
 

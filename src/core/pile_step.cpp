@@ -4,6 +4,7 @@
 
 #include "count.h"
 #include "pile_shares.h"
+#include "pile_squeeze.h"
 #include "ping_pong_sim/evolve.h"
 #include "fixed_flight.h"
 
@@ -142,14 +143,18 @@ void step(WorldState& world, double start, double end, double h)
   linkMovingBodies(world);
   updateLinks(world);
   if (!pile.anyAwake() && pile.moving.empty()) return;
+  if (!pile.moving.empty()) keepPlaces(pile);
   resolveImpacts(world);
   solveContacts(world);
+  findPressing(pile);
   eachShare(world,
             [&](PileShare& share)
             {
               takeContacts(world, share);
+              if (pile.pressing > 0.0) limitSpeeds(pile, share);
               endStep(pile, share);
             });
+  if (pile.pressing > 0.0) findSqueezed(world);
   settlePile(world);
 }
 }  // namespace
@@ -180,10 +185,14 @@ void runPile(WorldState& world, double start, double end, double longest_step)
   Pile& pile = world.pile;
   if (pile.ball.empty()) return;
   const double duration = end - start;
-  const long steps = std::max(1L, std::lround(std::ceil(duration / longest_step - 1e-9)));
+  const long steps = std::max(1L, std::lround(std::ceil(duration / shortEnough(world, start, end, longest_step) - 1e-9)));
   const double h = duration / static_cast<double>(steps);
   const auto startOf = [&](long i) { return i == steps ? end : start + h * static_cast<double>(i); };
-  for (long i = 0; i < steps; ++i) step(world, startOf(i), startOf(i + 1), h);
+  for (long i = 0; i < steps && !pile.ball.empty(); ++i)
+  {
+    step(world, startOf(i), startOf(i + 1), h);
+    if (i + 1 < steps) takeOutSqueezed(world);
+  }
   updateActive(world);
   eachShare(world,
             [&](PileShare& share)
@@ -194,6 +203,7 @@ void runPile(WorldState& world, double start, double end, double longest_step)
                 world.balls[pile.ball[i]].asleep = false;
               }
             });
+  takeOutSqueezed(world);  // last: slots of others change
   for (PileShare& share : pile.shares)
   {
     world.status.squeezed += share.squeezed;

@@ -17,10 +17,11 @@ struct Overlap
   BallId ball = 0;
 };
 
-void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, Overlap& deepest)
+void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, Overlap& deepest, bool moving = true)
 {
   for (const BodyRecord& body : world.bodies)
   {
+    if (body.moving && !moving) continue;
     const BodyFrame frame = body.at(world.time);
     for (const Shape& shape : body.shapes())
     {
@@ -63,6 +64,22 @@ bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, std::size_t
     p_WB -= deepest.gap * deepest.n_W;
   }
   return false;
+}
+
+void pushOutOfStill(const WorldState& world, Vector3d& p_WB, double radius)
+{
+  for (int i = 0; i < kMaxPushes; ++i)
+  {
+    Overlap deepest;
+    lookAtBodies(world, p_WB, radius, deepest, false);
+    if (deepest.gap >= -kTouching) return;
+    p_WB -= deepest.gap * deepest.n_W;
+  }
+}
+
+bool hasRoomInPile(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
+{
+  return deepestOverlap(world, p_WB, radius, except).gap >= -kPressed;
 }
 
 bool hasRoom(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)

@@ -11,10 +11,16 @@ constexpr double kTouching = 1e-9;  ///< overlap that is no overlap [m]
 /// that does not count.
 bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, std::size_t except);
 
+/// Moves a sphere out of still bodies alone, as far as that is possible.
+void pushOutOfStill(const WorldState& world, Vector3d& p_WB, double radius);
+
 /// Whether a ball at this place overlaps nothing by more than 1e-9 m. `except` is a ball that does not count.
 bool hasRoom(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except);
 
-/// The same, but for the other balls.
+/// The same by no more than balls of a pile do: 1e-4 m.
+bool hasRoomInPile(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except);
+
+/// The same by 1e-9 m, but for the other balls.
 bool hasRoomAmongBodies(const WorldState& world, const Vector3d& p_WB, double radius);
 
 /// Whether a ball at this place overlaps a body by more than balls of a pile do: 1e-4 m.

@@ -217,7 +217,8 @@ void World::Impl::planAll()
   if (eventByEvent(method)) restartExact(*this);
   disturbPile(*this);
   if (method != Method::Impulse || !pile.ball.empty()) return;
-  for (std::uint32_t i = 0; i < balls.size(); ++i) addToPile(*this, i, time);
+  for (std::uint32_t i = 0; i < balls.size(); ++i)
+    if (!balls[i].squeezed) addToPile(*this, i, time);
 }
 
 void World::Impl::planBall(std::size_t index)
@@ -225,7 +226,7 @@ void World::Impl::planBall(std::size_t index)
   makeSpace();
   if (eventByEvent(method)) restartBall(*this, index);
   if (method != Method::Impulse) return;
-  if (index == pile.ball.size())
+  if (slotOf(pile, static_cast<std::uint32_t>(index)) == pile.ball.size())
     addToPile(*this, static_cast<std::uint32_t>(index), time);
   else
     restatePile(*this, static_cast<std::uint32_t>(index));

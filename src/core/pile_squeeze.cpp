@@ -1,0 +1,150 @@
+#include "pile_squeeze.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact_method.h"
+#include "pile_seams.h"
+#include "placement.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr double kPartOfRadius = 0.25;  // way of a body in a step, of the radius of a ball near it;
+constexpr double kMostPieces = 64.0;    // but no more steps than this instead of one
+constexpr double kOneContact = 1e-3;    // hits sooner after each other are one: a contact of a real ball lasts as long [s]
+constexpr double kFlees = 20.0;         // times the speed of a body: between two surfaces no ball is faster. Planes tilted by 1 / 20
+constexpr double kElastic = 2.0;        // the same for balls that others press on: what an elastic hit by the body gives
+constexpr double kDeep = 1e-4;          // overlap that there is no room for [m],
+constexpr double kPartOfWay = 0.5;      // and this part of the way of the body, where an iteration that was cut short may leave it
+
+double sizeOf(const Body& body)
+{
+  double size = 0.0;
+  for (const Shape& shape : body.shapes) size = std::max(size, shape.p_BS.norm() + shape.half_size.norm());
+  return size;
+}
+
+// The least radius of balls that a body may come near until `end`; infinite if there are none.
+double leastRadiusNear(const Pile& pile, const Vector3d& p_WB, double reach, double duration)
+{
+  double least = kNever;
+  for (std::size_t i = 0; i < pile.movers.size(); ++i)
+  {
+    const double radius = pile.radius(i), near = reach + radius + duration * pile.movers[i].v.norm();
+    if ((pile.movers[i].p - p_WB).squaredNorm() < near * near) least = std::min(least, radius);
+  }
+  return least;
+}
+
+const BodyLink& linkOf(const Pile& pile, const BodyTouch& touch) { return touch.moving ? pile.moving[touch.link] : pile.bodies[touch.link]; }
+
+bool presses(const PileShare& share, const BodyTouch& touch)
+{
+  return share.body_batches[touch.place / kLanes].normal[touch.place % kLanes] > 0.0f;
+}
+
+// Deeper than before and than the contacts of this step may leave it.
+bool hasNoRoom(const WorldState& world, const BodyTouch& touch)
+{
+  const Pile& pile = world.pile;
+  const std::uint32_t i = touch.ball;
+  const BodyLink& link = linkOf(pile, touch);
+  const double radius = pile.radius(i);
+  const double overlap = radius - nearestOf(world, link, pile.movers[i].p, pile.h).distance;
+  if (overlap <= kDeep) return false;
+  const bool others = (pile.pushed[i] & Pile::kTouched) != 0;
+  const double left = others ? kPartOfWay * pile.h * pile.pressing : 0.0;
+  return overlap > kDeep + left && overlap > radius - nearestOf(world, link, pile.places[i], 0.0).distance;
+}
+}  // namespace
+
+double shortEnough(const WorldState& world, double start, double end, double longest)
+{
+  const double duration = end - start, most = std::min(longest, duration);
+  double least = kNever, h = longest;
+  for (const BallKind& kind : world.pile.kinds) least = std::min(least, kind.params.radius);
+  for (const BodyRecord& body : world.bodies)
+  {
+    if (!body.moving) continue;
+    const BodyFrame frame = frameAt(body.motion, start - body.motion.start);
+    const double size = sizeOf(body.body), speed = frame.v_WB.norm() + frame.w_WB.norm() * size + duration * frame.a_WB.norm();
+    if (speed * most <= kPartOfRadius * least) continue;
+    const double radius = leastRadiusNear(world.pile, frame.p_WB, size + duration * speed, duration);
+    if (radius < kNever) h = std::min(h, std::max(kPartOfRadius * radius / speed, most / kMostPieces));
+  }
+  return h;
+}
+
+void keepPlaces(Pile& pile)
+{
+  for (std::size_t i = 0; i < pile.movers.size(); ++i) pile.places[i] = pile.movers[i].p;
+}
+
+bool takesAlong(Pile& pile, const BodyLink& link, double t)
+{
+  Throw& last = pile.throws[link.ball];
+  const double now = pile.start + t;
+  const bool again = (last.other || last.body != link.body) && now - last.time < kOneContact;
+  last = {now, link.body, false};
+  return again;
+}
+
+void noteOther(Pile& pile, std::uint32_t ball) { pile.throws[ball].other = true; }
+
+void findPressing(Pile& pile)
+{
+  pile.pressing = pile.fastest = 0.0;
+  if (pile.moving.empty()) return;
+  for (const PileShare& share : pile.shares)
+  {
+    pile.fastest = std::max(pile.fastest, std::sqrt(share.fastest_squared));
+    for (const BodyTouch& touch : share.body_touches)
+      if (touch.moving && presses(share, touch)) pile.pressing = std::max(pile.pressing, touch.u.norm());
+  }
+}
+
+void limitSpeeds(Pile& pile, const PileShare& share)
+{
+  for (const std::uint32_t i : share.awake)
+  {
+    Vector3d& v = pile.movers[i].v;
+    const double of_body = ((pile.pushed[i] & Pile::kTouched) != 0 ? kElastic : kFlees) * pile.pressing;
+    const double most = std::max(pile.fastest, of_body), speed = v.norm();
+    if (speed <= most) continue;
+    const double part = most / speed;
+    v *= part;
+    pile.w[i] -= (1.0 - part) * pile.changes[i].rim.head<3>().cast<double>() / pile.radius(i);
+  }
+}
+
+void findSqueezed(WorldState& world)
+{
+  Pile& pile = world.pile;
+  for (const PileShare& share : pile.shares)
+    for (const BodyTouch& touch : share.body_touches)
+      if (hasNoRoom(world, touch)) pile.squeezed.push_back({pile.ball[touch.ball], pile.places[touch.ball]});
+  const auto before = [](const SqueezedBall& a, const SqueezedBall& b) { return a.ball < b.ball; };
+  const auto same = [](const SqueezedBall& a, const SqueezedBall& b) { return a.ball == b.ball; };
+  std::sort(pile.squeezed.begin(), pile.squeezed.end(), before);
+  pile.squeezed.erase(std::unique(pile.squeezed.begin(), pile.squeezed.end(), same), pile.squeezed.end());
+}
+
+void takeOutSqueezed(WorldState& world)
+{
+  Pile& pile = world.pile;
+  for (const SqueezedBall& ball : pile.squeezed)
+  {
+    BallRecord& record = world.balls[ball.ball];
+    storeBall(world, slotOf(pile, ball.ball), pile.end);
+    dropFromPile(pile, ball.ball);
+    BallState state = record.stateAt(pile.end);
+    state.p_WB = ball.p_WB;
+    state.w_WB.setZero();
+    pushOutOfStill(world, state.p_WB, record.params().radius);
+    squeeze(world, record, state, pile.end);
+  }
+  pile.squeezed.clear();
+}
+}  // namespace ping_pong

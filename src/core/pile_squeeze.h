@@ -1,0 +1,32 @@
+// Balls of the pile that moving bodies leave no room: they are not shot out but taken along, and squeezed in the end.
+//
+// All of this is asked only while a moving body is linked with a ball of the pile. Rules and bounds: docs/crowds.md.
+#pragma once
+
+#include "world_state.h"
+
+namespace ping_pong
+{
+/// The longest step, at most `longest`, in which no moving body goes far against the radius of a ball near it: a body that
+/// is past the middle of a ball would push it out on its other side.
+double shortEnough(const WorldState& world, double start, double end, double longest);
+
+/// Before impacts: where the balls are.
+void keepPlaces(Pile& pile);
+
+/// Whether a moving body that hits a ball takes it along instead of throwing it. Notes the hit.
+/// @param t  from the start of the step [s]
+bool takesAlong(Pile& pile, const BodyLink& link, double t);
+/// The ball has hit something else.
+void noteOther(Pile& pile, std::uint32_t ball);
+
+/// After the contacts: Pile::pressing and Pile::fastest.
+void findPressing(Pile& pile);
+/// No ball of the share has been made faster by contacts than balls and bodies that press account for.
+void limitSpeeds(Pile& pile, const PileShare& share);
+
+/// At the end of a step: which balls are deeper in a body than contacts leave them.
+void findSqueezed(WorldState& world);
+/// They leave the pile, at rest where they were last whole.
+void takeOutSqueezed(WorldState& world);
+}  // namespace ping_pong
