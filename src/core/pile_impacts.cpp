@@ -103,9 +103,12 @@ void hitBody(WorldState& world, const BodyLink& link, double t)
   const Vector3d u = body.moving ? frame.pointVelocity(p_WC) : Vector3d::Zero();
   Contact* contact = newContact(world, pile.ball[i], state, t);
   Surface law = world.scene.surfaces.at(pile.params(i).material, shape.material);
-  if (body.moving && takesAlong(pile, link, t)) law.restitution = 0.0;
+  const bool along = body.moving && takesAlong(pile, link, t);
+  if (along) law.restitution = 0.0;
   if (!body.moving && !pile.moving.empty()) noteOther(pile, i);
-  const Vector3d impulse = bounce(law, pile.params(i), state, u, gap.n_W);
+  const BallState before = state;
+  Vector3d impulse = bounce(law, pile.params(i), state, u, gap.n_W);
+  if (along) limitImpulse(pile.params(i), before, u.norm(), state, impulse);
   if (contact != nullptr)
   {
     contact->body = link.body;

@@ -87,8 +87,23 @@ bool takesAlong(Pile& pile, const BodyLink& link, double t)
   Throw& last = pile.throws[link.ball];
   const double now = pile.start + t;
   const bool again = (last.other || last.body != link.body) && now - last.time < kOneContact;
-  last = {now, link.body, false};
+  last = {now, link.body, again};
   return again;
+}
+
+void limitImpulse(const BallParams& ball, const BallState& before, double speed, BallState& after, Vector3d& impulse)
+{
+  const double rim = ball.inertia * ball.radius * ball.radius;  // energies are in (m/s)^2
+  const auto product = [rim](const Vector3d& v, const Vector3d& w, const Vector3d& v2, const Vector3d& w2) { return v.dot(v2) + rim * w.dot(w2); };
+  const double had = product(before.v_WB, before.w_WB, before.v_WB, before.w_WB);
+  const double room = std::max(kElastic * kElastic * speed * speed - had, 0.0);
+  const Vector3d dv = after.v_WB - before.v_WB, dw = after.w_WB - before.w_WB;
+  const double a = product(dv, dw, dv, dw), b = product(before.v_WB, before.w_WB, dv, dw);  // a part of the change adds (a part + 2 b) part
+  if (a + 2.0 * b <= room) return;
+  const double part = std::clamp((std::sqrt(b * b + a * room) - b) / a, 0.0, 1.0);
+  after.v_WB = before.v_WB + part * dv;
+  after.w_WB = before.w_WB + part * dw;
+  impulse *= part;
 }
 
 void noteOther(Pile& pile, std::uint32_t ball) { pile.throws[ball].other = true; }

@@ -193,6 +193,7 @@ void runPile(WorldState& world, double start, double end, double longest_step)
     step(world, startOf(i), startOf(i + 1), h);
     if (i + 1 < steps) takeOutSqueezed(world);
   }
+  if (pile.ball.empty()) return;
   updateActive(world);
   eachShare(world,
             [&](PileShare& share)
