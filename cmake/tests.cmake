@@ -85,6 +85,7 @@ foreach(name
     impulse
     contact_list
     pile_seams
+    pile_squeeze
     handover
     edges
     grazing

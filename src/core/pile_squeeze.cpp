@@ -40,6 +40,13 @@ double leastRadiusNear(const Pile& pile, const Vector3d& p_WB, double reach, dou
 
 const BodyLink& linkOf(const Pile& pile, const BodyTouch& touch) { return touch.moving ? pile.moving[touch.link] : pile.bodies[touch.link]; }
 
+// Twice its kinetic energy by its mass, that of its spin with it [m^2/s^2].
+double energyOf(const Pile& pile, std::size_t i)
+{
+  const BallParams& ball = pile.params(i);
+  return pile.movers[i].v.squaredNorm() + ball.inertia * ball.radius * ball.radius * pile.w[i].squaredNorm();
+}
+
 bool presses(const PileShare& share, const BodyTouch& touch)
 {
   return share.body_batches[touch.place / kLanes].normal[touch.place % kLanes] > 0.0f;
@@ -113,24 +120,23 @@ void findPressing(Pile& pile)
   pile.pressing = pile.fastest = 0.0;
   if (pile.moving.empty()) return;
   for (const PileShare& share : pile.shares)
-  {
-    pile.fastest = std::max(pile.fastest, std::sqrt(share.fastest_squared));
     for (const BodyTouch& touch : share.body_touches)
       if (touch.moving && presses(share, touch)) pile.pressing = std::max(pile.pressing, touch.u.norm());
-  }
+  if (pile.pressing == 0.0) return;
+  double most = 0.0;
+  for (std::size_t i = 0; i < pile.movers.size(); ++i) most = std::max(most, energyOf(pile, i));
+  pile.fastest = std::sqrt(most);
 }
 
 void limitSpeeds(Pile& pile, const PileShare& share)
 {
   for (const std::uint32_t i : share.awake)
   {
-    Vector3d& v = pile.movers[i].v;
     const double of_body = ((pile.pushed[i] & Pile::kTouched) != 0 ? kElastic : kFlees) * pile.pressing;
-    const double most = std::max(pile.fastest, of_body), speed = v.norm();
+    const double most = std::max(pile.fastest, of_body), speed = std::sqrt(energyOf(pile, i));
     if (speed <= most) continue;
-    const double part = most / speed;
-    v *= part;
-    pile.w[i] -= (1.0 - part) * pile.changes[i].rim.head<3>().cast<double>() / pile.radius(i);
+    pile.movers[i].v *= most / speed;
+    pile.w[i] *= most / speed;
   }
 }
 
