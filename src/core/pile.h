@@ -156,7 +156,6 @@ struct Pile : PileSlots
   double h = 0.0;                       ///< length of the step [s]
   double start = 0.0, end = 0.0;        ///< of the step [s]
   double pressing = 0.0;                ///< speed of the fastest moving body that presses on a ball in this step, 0 if none does [m/s]
-  double fastest = 0.0;                 ///< speed of the fastest ball before the contacts of this step, if one does [m/s]
   double least_impact = 0.0;            ///< of the first impact in a step [m/s]
 
   /// Slower is no impact but a contact [m/s]: after each impact in a step four times as much, or a jam would have no end.

@@ -14,7 +14,7 @@ namespace
 constexpr double kPartOfRadius = 0.25;  // way of a body in a step, of the radius of a ball near it;
 constexpr double kMostPieces = 64.0;    // but no more steps than this instead of one
 constexpr double kOneContact = 1e-3;    // hits sooner after each other are one: a contact of a real ball lasts as long [s]
-constexpr double kFlees = 20.0;         // times the speed of a body: between two surfaces no ball is faster. Planes tilted by 1 / 20
+constexpr double kFlees = 8.0;          // times the speed of a body: two surfaces press no ball out faster. Planes tilted by 1 / 8
 constexpr double kElastic = 2.0;        // the same for balls that others press on: what an elastic hit by the body gives
 constexpr double kDeep = 1e-4;          // overlap that there is no room for [m],
 constexpr double kPartOfWay = 0.5;      // and this part of the way of the body, where an iteration that was cut short may leave it
@@ -40,11 +40,24 @@ double leastRadiusNear(const Pile& pile, const Vector3d& p_WB, double reach, dou
 
 const BodyLink& linkOf(const Pile& pile, const BodyTouch& touch) { return touch.moving ? pile.moving[touch.link] : pile.bodies[touch.link]; }
 
-// Twice its kinetic energy by its mass, that of its spin with it [m^2/s^2].
-double energyOf(const Pile& pile, std::size_t i)
+// Twice a kinetic energy by the mass, that of the spin with it [m^2/s^2].
+double energyOf(const BallParams& ball, const Vector3d& v, const Vector3d& w)
+{
+  return v.squaredNorm() + ball.inertia * ball.radius * ball.radius * w.squaredNorm();
+}
+
+// What contacts have added to the energy of a ball beyond what a body that presses accounts for; negative if they have taken some.
+double excessOf(const Pile& pile, std::size_t i)
 {
   const BallParams& ball = pile.params(i);
-  return pile.movers[i].v.squaredNorm() + ball.inertia * ball.radius * ball.radius * pile.w[i].squaredNorm();
+  const Change& change = pile.changes[i];
+  const Vector3d &v = pile.movers[i].v, &w = pile.w[i];
+  const Vector3d v_before = v - change.v.head<3>().cast<double>();
+  const Vector3d w_before = w - change.rim.head<3>().cast<double>() / ball.radius;
+  const double now = energyOf(ball, v, w), before = energyOf(ball, v_before, w_before);
+  if (now <= before) return now - before;
+  const double of_body = ((pile.pushed[i] & Pile::kTouched) != 0 ? kElastic : kFlees) * pile.pressing;
+  return std::max(now - std::max(before, of_body * of_body), 0.0);
 }
 
 bool presses(const PileShare& share, const BodyTouch& touch)
@@ -117,26 +130,30 @@ void noteOther(Pile& pile, std::uint32_t ball) { pile.throws[ball].other = true;
 
 void findPressing(Pile& pile)
 {
-  pile.pressing = pile.fastest = 0.0;
+  pile.pressing = 0.0;
   if (pile.moving.empty()) return;
   for (const PileShare& share : pile.shares)
     for (const BodyTouch& touch : share.body_touches)
       if (touch.moving && presses(share, touch)) pile.pressing = std::max(pile.pressing, touch.u.norm());
-  if (pile.pressing == 0.0) return;
-  double most = 0.0;
-  for (std::size_t i = 0; i < pile.movers.size(); ++i) most = std::max(most, energyOf(pile, i));
-  pile.fastest = std::sqrt(most);
 }
 
-void limitSpeeds(Pile& pile, const PileShare& share)
+void limitEnergies(Pile& pile)
 {
-  for (const std::uint32_t i : share.awake)
+  double lost = 0.0, gained = 0.0;
+  for (std::size_t i = 0; i < pile.movers.size(); ++i)
   {
-    const double of_body = ((pile.pushed[i] & Pile::kTouched) != 0 ? kElastic : kFlees) * pile.pressing;
-    const double most = std::max(pile.fastest, of_body), speed = std::sqrt(energyOf(pile, i));
-    if (speed <= most) continue;
-    pile.movers[i].v *= most / speed;
-    pile.w[i] *= most / speed;
+    const double excess = pile.params(i).mass * excessOf(pile, i);
+    (excess > 0.0 ? gained : lost) += std::abs(excess);
+  }
+  if (gained <= lost) return;
+  for (std::size_t i = 0; i < pile.movers.size(); ++i)
+  {
+    const double excess = excessOf(pile, i);
+    if (excess <= 0.0) continue;
+    Vector3d &v = pile.movers[i].v, &w = pile.w[i];
+    const double part = std::sqrt(1.0 - (1.0 - lost / gained) * excess / energyOf(pile.params(i), v, w));
+    v *= part;
+    w *= part;
   }
 }
 

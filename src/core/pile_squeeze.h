@@ -23,10 +23,11 @@ void limitImpulse(const BallParams& ball, const BallState& before, double speed,
 /// The ball has hit something else.
 void noteOther(Pile& pile, std::uint32_t ball);
 
-/// After the contacts: Pile::pressing and Pile::fastest.
+/// After the contacts have been solved: Pile::pressing.
 void findPressing(Pile& pile);
-/// No ball of the share has been made faster by contacts than balls and bodies that press account for.
-void limitSpeeds(Pile& pile, const PileShare& share);
+/// After they have acted: a ball that they have made livelier than the bodies that press account for has no more than what they
+/// have taken from others.
+void limitEnergies(Pile& pile);
 
 /// At the end of a step: which balls are deeper in a body than contacts leave them.
 void findSqueezed(WorldState& world);

@@ -147,13 +147,9 @@ void step(WorldState& world, double start, double end, double h)
   resolveImpacts(world);
   solveContacts(world);
   findPressing(pile);
-  eachShare(world,
-            [&](PileShare& share)
-            {
-              takeContacts(world, share);
-              if (pile.pressing > 0.0) limitSpeeds(pile, share);
-              endStep(pile, share);
-            });
+  eachShare(world, [&](PileShare& share) { takeContacts(world, share); });
+  if (pile.pressing > 0.0) limitEnergies(pile);
+  eachShare(world, [&](PileShare& share) { endStep(pile, share); });
   if (pile.pressing > 0.0) findSqueezed(world);
   settlePile(world);
 }
