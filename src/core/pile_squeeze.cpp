@@ -116,7 +116,7 @@ void limitImpulse(const BallParams& ball, const BallState& before, double speed,
   const double rim = ball.inertia * ball.radius * ball.radius;  // energies are in (m/s)^2
   const auto product = [rim](const Vector3d& v, const Vector3d& w, const Vector3d& v2, const Vector3d& w2) { return v.dot(v2) + rim * w.dot(w2); };
   const double had = product(before.v_WB, before.w_WB, before.v_WB, before.w_WB);
-  const double room = std::max(kElastic * kElastic * speed * speed - had, 0.0);
+  const double room = std::max(speed * speed - had, 0.0);
   const Vector3d dv = after.v_WB - before.v_WB, dw = after.w_WB - before.w_WB;
   const double a = product(dv, dw, dv, dw), b = product(before.v_WB, before.w_WB, dv, dw);  // a part of the change adds (a part + 2 b) part
   if (a + 2.0 * b <= room) return;

@@ -17,7 +17,7 @@ void keepPlaces(Pile& pile);
 /// Whether a moving body that hits a ball takes it along instead of throwing it. Notes the hit.
 /// @param t  from the start of the step [s]
 bool takesAlong(Pile& pile, const BodyLink& link, double t);
-/// Of an impulse by which a surface at `speed` takes a ball along: no more than gives it the energy of an elastic hit, if it did
+/// Of an impulse by which a surface at `speed` takes a ball along: no more than gives it the energy of that speed, if it did
 /// not have more before. Between surfaces that hardly leave room each hit would make it faster yet.
 void limitImpulse(const BallParams& ball, const BallState& before, double speed, BallState& after, Vector3d& impulse);
 /// The ball has hit something else.

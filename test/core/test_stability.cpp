@@ -122,8 +122,6 @@ constexpr ImpulseBreak kImpulseBreaks[] = {
     {"zeno", 1e-3, 0.08},
     {"rest", 1e-2, 1e-10},  // impulses have 24 bits, until the ball falls asleep
     {"rest", 1e-3, 1e-11},
-    {"squeeze", 1e-2, kInf},  // no place is free of both table and paddle
-    {"squeeze", 1e-3, 0.0059},  // halfway between them
     {"grazing", 1e-2, 40},  // slower than what counts as an impact at this step
     {"grazing", 1e-3, kPasses},
     {"galperin_314", 1e-2, 200},  // a ball has at most 15 impacts in a step
