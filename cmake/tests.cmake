@@ -33,8 +33,7 @@ function(add_core_test name)
     catkin_add_gtest(${target} test/core/test_${name}.cpp)
     target_link_libraries(${target} gtest_main)
   endif()
-  target_link_libraries(${target} ${PROJECT_NAME}_stability ${PROJECT_NAME}_core ${PROJECT_NAME}_keys ${PROJECT_NAME}_options)
-  add_dependencies(${target} ${PROJECT_NAME}_simulate ${PROJECT_NAME}_validate)  # some run them
+  target_link_libraries(${target} ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
   target_include_directories(${target} PRIVATE test/core src/core)
   target_compile_definitions(${target} PRIVATE
     SCENES_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/scenes"
@@ -107,6 +106,14 @@ foreach(name
 )
   add_core_test(${name})
 endforeach()
+
+# What single tests need besides: a test is built with no more than it uses.
+foreach(name cradle random_contacts stability tunnelling)
+  target_link_libraries(${PROJECT_NAME}_test_${name} ${PROJECT_NAME}_stability)
+endforeach()
+target_link_libraries(${PROJECT_NAME}_test_keys ${PROJECT_NAME}_keys)
+add_dependencies(${PROJECT_NAME}_test_simulate ${PROJECT_NAME}_simulate)
+add_dependencies(${PROJECT_NAME}_test_validation ${PROJECT_NAME}_validate)
 
 foreach(name allocations pooled)
   target_sources(${PROJECT_NAME}_test_${name} PRIVATE test/core/allocations.cpp)
