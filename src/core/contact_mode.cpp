@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <cmath>
+#include <optional>
 
 #include "fixed_flight.h"
 #include "ping_pong_sim/evolve.h"
@@ -388,7 +389,7 @@ Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball,
 
 void addTouched(const WorldState& world, BallRecord& ball, const BallState& state, double t)
 {
-  const Vector3d a = accelerationOnSupports(world, ball, state, t);
+  std::optional<Vector3d> a;  // before anything is added
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
   {
     const BodyRecord& body = world.bodies[b];
@@ -397,7 +398,8 @@ void addTouched(const WorldState& world, BallRecord& ball, const BallState& stat
       const Gap gap = gapOver(body, body.shapes()[s], ball, state, t);
       if (std::abs(gap.gap) > kTouchedGap || std::abs(gap.rate) > kNoHopSpeed) continue;
       if (supportedAlong(world, ball, state, gap.n_W, t)) continue;
-      if (gapAcceleration(body.shapes()[s], body.at(t), state.p_WB, state.v_WB, a) < 0.0) ball.supports.add(b, s);
+      if (!a) a = accelerationOnSupports(world, ball, state, t);
+      if (gapAcceleration(body.shapes()[s], body.at(t), state.p_WB, state.v_WB, *a) < 0.0) ball.supports.add(b, s);
     }
   }
 }

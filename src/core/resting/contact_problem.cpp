@@ -136,8 +136,24 @@ double scaleOf(const ContactProblem& problem)
   return scale;
 }
 
+namespace
+{
+// A smooth surface alone, the commonest of all.
+bool onOneSmooth(const ContactProblem& problem, BallAcceleration& motion, SupportForces& forces)
+{
+  if (problem.count != 1 || problem.mode[0].slip != Resistance::None) return false;
+  const SupportPoint& at = problem.at[0];
+  motion = problem.free;
+  forces[0] = SupportForce();
+  forces[0].load = std::max(0.0, at.least - at.n.dot(motion.a));
+  motion.a += forces[0].load * at.n;
+  return true;
+}
+}  // namespace
+
 bool findForces(const ContactProblem& problem, BallAcceleration& motion, SupportForces& forces)
 {
+  if (onOneSmooth(problem, motion, forces)) return true;
   for (std::size_t i = 0; i < problem.count; ++i)
     if (problem.mode[i].slip != Resistance::None) count(Law::Friction);
   if (allHold(withLoads(problem, nullptr, 0.0), SupportForces(), false, motion, forces)) return true;
