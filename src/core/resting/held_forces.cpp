@@ -12,6 +12,7 @@ namespace
 {
 constexpr int kPasses = 2;       // over all directions in which supports press on each other
 constexpr int kCuts = 24;        // of golden section, to 1e-5 of the range
+constexpr double kNoMotion = 1e-9;  // what inner forces do to the ball, as a part of them: rounding
 constexpr double kAllMet = 1e-9; // what is missed of the wanted accelerations, as a part of the scale, is rounding
 
 struct LinearProblem
@@ -97,14 +98,16 @@ void pressAlong(const ContactProblem& problem, const Unknowns& direction, double
   if (std::max(f1, f2) > marginOf(problem, forces)) forces += best * direction;
 }
 
-// First all supports harder on the ball, then one unknown after the other.
+// First all supports harder on the ball, then one unknown after the other. Where a resistance slips, more load may brake or turn
+// the ball, too: that is another motion, and no inner force.
 void pressWithinLimits(const ContactProblem& problem, double enough, double most, LinearProblem& linear)
 {
   const auto press = [&](const Unknowns& wished)
   {
     if (marginOf(problem, linear.forces) > enough) return;
     const Unknowns direction = linear.internal(wished);
-    if (direction.norm() > 1e-6) pressAlong(problem, direction / direction.norm(), most, enough, linear.forces);
+    const double moves = (linear.equations.columns.leftCols(linear.count()) * direction).norm();
+    if (direction.norm() > 1e-6 && moves <= kNoMotion * direction.norm()) pressAlong(problem, direction / direction.norm(), most, enough, linear.forces);
   };
   Unknowns loads = Unknowns::Zero(linear.count());
   for (std::size_t i = 0, next = 0; i < problem.count; ++i)
