@@ -231,6 +231,10 @@ And by what they break:
 `scripts/stability --random 100000` runs more of them and tells which fail; the test `random_contacts` holds `exact` to a thousand. Where the bounds
 come from stands in `bench/stability/random_checks.h`. `exact` leaves 1e-9 m of depth, and of energy and slip what its tolerance permits; methods with steps are held to the
 same. Methods that sample contacts know no rest: what is said of balls that lie does not touch them.
+
+Of the first 10 000 scenes (seed 1) `exact` hangs in none, passes through nothing, is no deeper than 1e-9 m, and none makes more than 200 events a second after its last
+bounce, however small; six miss a stricter bound of the check (events after the last bounce of more than 1 mm/s, a law at the onset of slip, a seam by 1e-8 m). Of 100 000 some sixty
+do, and two of them are 1.4 and 7 nm deep.
 """
     with open(os.path.join(docs, "stability.md"), "w", encoding="utf-8") as file:
         file.write(text)

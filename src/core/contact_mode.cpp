@@ -92,8 +92,17 @@ bool offSurfaces(const WorldState& world, const BallRecord& ball, const BallStat
   return (off.col(0).array().abs() > tolerance).any() || (off.col(1).array().abs() > 1e-16).any();
 }
 
+// A support that the ball is in or moves into; one that it moves away from is left as it is.
+void pushOut(const Gap& gap, double keep_speed, BallState& ball)
+{
+  if (!touches(gap, keep_speed)) return;
+  ball.p_WB -= std::min(gap.gap, 0.0) * gap.n_W;
+  ball.v_WB -= std::min(gap.rate, 0.0) * gap.n_W;
+}
+
 // Projecting on one surface shifts the ball on the others. Onto all at once, then, by the least shift; curved ones take a few
-// rounds (Newton). Surfaces that nearly continue each other can shift it far: these are left to projections one by one.
+// rounds (Newton). Surfaces that nearly continue each other can shift it far: it is pushed out of these one by one, and
+// leaves what the steeper one takes it away from.
 void projectOnAll(const WorldState& world, const BallRecord& ball, BallState& state, double t)
 {
   if (ball.supports.count() < 2) return;
@@ -112,7 +121,7 @@ void projectOnAll(const WorldState& world, const BallRecord& ball, BallState& st
   for (int round = 0; round < kProjections; ++round)
   {
     if (!offSurfaces(world, ball, state, t, normals, off)) return;
-    for (std::size_t i = 0; i < ball.supports.count(); ++i) projectOn(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball), state);
+    for (std::size_t i = 0; i < ball.supports.count(); ++i) pushOut(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball), state);
   }
 }
 

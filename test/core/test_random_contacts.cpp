@@ -95,6 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
                     OnceBroken{7214, "with several answers, modes changed from one to the next of them"},
                     OnceBroken{11465, "rolling resistance pushed the ball, under a load below zero"},
                     OnceBroken{54031, "between floor and overhanging plate impacts followed each other without end"},
+                    OnceBroken{6389, "between a face and one that rises a little, the ball went on into the latter"},
                     OnceBroken{32884, "nearly parallel faces threw the ball far away, to be on both"}),
     [](const auto& info) { return std::to_string(info.param.index); });
 

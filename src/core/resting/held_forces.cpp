@@ -13,6 +13,7 @@ namespace
 constexpr int kPasses = 2;       // over all directions in which supports press on each other
 constexpr int kCuts = 24;        // of golden section, to 1e-5 of the range
 constexpr double kNoMotion = 1e-9;  // what inner forces do to the ball, as a part of them: rounding
+constexpr double kFarApart = 0.1; // distance of two contacts, as a part of the radius, that makes an axis
 constexpr double kAllMet = 1e-9; // what is missed of the wanted accelerations, as a part of the scale, is rounding
 
 struct LinearProblem
@@ -102,6 +103,7 @@ void pressAlong(const ContactProblem& problem, const Unknowns& direction, double
 // the ball, too: that is another motion, and no inner force.
 void pressWithinLimits(const ContactProblem& problem, double enough, double most, LinearProblem& linear)
 {
+  if (marginOf(problem, linear.forces) > enough) return;
   const auto press = [&](const Unknowns& wished)
   {
     if (marginOf(problem, linear.forces) > enough) return;
@@ -152,6 +154,33 @@ bool onOne(const ContactProblem& problem, BallAcceleration& motion)
   motion.b -= at.n.cross(f) / problem.k;
   return true;
 }
+
+bool onlySticks(const SupportMode& mode)
+{
+  return mode.loaded && mode.slip == Resistance::Holds && mode.roll == Resistance::None && mode.spin == Resistance::None;
+}
+
+// Two supports that stick, as in a groove, leave the ball the turning about the axis through both contacts. With w the
+// acceleration that each wants of its point, a - b x n = w at both; what is left follows from d'Alembert's principle: contact
+// forces do no work on a turning (d x n, d) about that axis.
+bool onTwoThatStick(const ContactProblem& problem, BallAcceleration& motion)
+{
+  if (problem.count != 2 || !onlySticks(problem.mode[0]) || !onlySticks(problem.mode[1])) return false;
+  const SupportPoint &one = problem.at[0], &other = problem.at[1];
+  const Vector3d between = one.n - other.n;
+  const double distance = between.norm();
+  if (distance < kFarApart) return false;
+  const Vector3d w = one.least * one.n - one.slip_bias;
+  const Vector3d difference = other.least * other.n - other.slip_bias - w;
+  if (std::abs(difference.dot(between)) > kAllMet * scaleOf(problem)) return false;
+  const Vector3d d = between / distance, turning = d.cross(one.n);
+  const Vector3d b_across = d.cross(difference) / distance;
+  const Vector3d a_across = w + b_across.cross(one.n);
+  const double along = (problem.k * problem.free.b.dot(d) - (a_across - problem.free.a).dot(turning)) / (turning.squaredNorm() + problem.k);
+  motion.a = a_across + along * turning;
+  motion.b = b_across + along * d;
+  return true;
+}
 }  // namespace
 
 bool allHold(const ContactProblem& problem, const SupportForces& near, bool squeezed, BallAcceleration& motion, SupportForces& forces)
@@ -172,7 +201,7 @@ bool allHold(const ContactProblem& problem, const SupportForces& near, bool sque
 BallAcceleration accelerationInModes(const ContactProblem& problem, const SupportForces& near)
 {
   BallAcceleration motion;
-  if (onOne(problem, motion)) return motion;
+  if (onOne(problem, motion) || onTwoThatStick(problem, motion)) return motion;
   LinearProblem linear(problem);
   if (linear.count() == 0) return problem.free;
   linear.solve(problem, near);
