@@ -336,7 +336,7 @@ void flyStep(BallRecord& ball, const BallState& state, double t, double h)
 
 void planFlight(const WorldState& world, BallRecord& ball, const BallState& state, double t)
 {
-  if (world.method == Method::Rk4Located) return flyStep(ball, state, t, world.scene.dt);
+  if (world.flies_in_steps) return flyStep(ball, state, t, world.scene.dt);
   // A piece that a contact has cut was long enough: a longer one might have to be tried twice.
   Segment& path = ball.path;
   if (path.degree > 2 && t < path.end) path.further->next_piece = std::min(path.further->next_piece, path.end - path.start);

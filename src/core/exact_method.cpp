@@ -278,7 +278,6 @@ void startWindow(WorldState& world, double end)
     if (moving || ball.meetsMoving() < kNever) foreseeMoving(world, i, world.time, end);
   }
 }
-}  // namespace
 
 void restartBall(WorldState& world, std::size_t i)
 {
@@ -290,9 +289,27 @@ void restartBall(WorldState& world, std::size_t i)
   if (ball.passing) ball.passing->moving = Event();
 }
 
-void restartExact(WorldState& world)
+}  // namespace
+
+void reserveExact(WorldState& world, std::size_t balls)
+{
+  if (balls < 2) return;
+  world.islands.reserve(balls, world.workers.count());
+  reservePile(world.pile, balls, !world.scene.forces.dependOnVelocity());
+}
+
+void startExact(WorldState& world)
 {
   for (std::size_t i = 0; i < world.balls.size(); ++i) restartBall(world, i);
+  disturbPile(world);
+}
+
+void exactBallChanged(WorldState& world, std::size_t i)
+{
+  BallRecord& ball = world.balls[i];
+  if (ball.ofSolver()) dropFromPile(world.pile, static_cast<std::uint32_t>(i));
+  ball.owner = BallOwner::Method;
+  restartBall(world, i);
 }
 
 bool runTogether(WorldState& world, const Window& window)
@@ -330,7 +347,8 @@ void runExact(WorldState& world, double end)
 
 void squeeze(Records& records, BallRecord& ball, BallState state, double t)
 {
-  records.any_squeezed = ball.squeezed = true;
+  records.any_squeezed = true;
+  ball.owner = ball.ofSolver() ? BallOwner::NobodyOfSolver : BallOwner::Nobody;
   ball.supports = Supports();
   ball.expectNothing();
   ++ball.version;
@@ -346,17 +364,18 @@ void releaseSqueezed(WorldState& world)
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
     BallRecord& ball = world.balls[i];
-    if (!ball.squeezed) continue;
+    if (!ball.squeezed()) continue;
     const BallState state = ball.stateAt(world.time);
-    const bool of_pile = ball.piled || world.method == Method::Impulse;
-    ball.squeezed = of_pile ? !hasRoomInPile(world, state.p_WB, ball.params().radius, i) : !hasRoom(world, state.p_WB, ball.params().radius, i);
-    world.any_squeezed |= ball.squeezed;
-    if (ball.squeezed) continue;
-    if (of_pile)
+    const double radius = ball.params().radius;
+    const bool has_room = ball.ofSolver() ? hasRoomInPile(world, state.p_WB, radius, i) : hasRoom(world, state.p_WB, radius, i);
+    world.any_squeezed |= !has_room;
+    if (!has_room) continue;
+    if (ball.ofSolver())
     {
       addToPile(world, static_cast<std::uint32_t>(i), world.time);
       continue;
     }
+    ball.owner = BallOwner::Method;
     planPath(world, ball, state, world.time, world.time);
     foresee(world, i, world.time);
   }

@@ -5,10 +5,10 @@
 
 namespace ping_pong
 {
-/// Plans paths and events of all balls from scratch at world.time.
-void restartExact(WorldState& world);
-/// The same for one ball.
-void restartBall(WorldState& world, std::size_t i);
+/// See MethodFunctions.
+void reserveExact(WorldState& world, std::size_t balls);
+void startExact(WorldState& world);
+void exactBallChanged(WorldState& world, std::size_t ball);
 
 /// Balls that may meet each other, and how long they are followed.
 struct Window
@@ -28,7 +28,7 @@ struct Window
 /// What they foresee with each other must be true or void.
 bool runTogether(WorldState& world, const Window& window);
 
-/// Handles all events up to `end`; the motions of all paddles are smooth until then.
+/// Handles all events up to `end`. See MethodFunctions.
 void runExact(WorldState& world, double end);
 
 /// The ball stays where it was last whole, collides with nothing, and is let go at rest when there is room again.

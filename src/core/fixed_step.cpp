@@ -96,21 +96,6 @@ void fly(WorldState& world, double h)
   }
 }
 
-void flyAll(WorldState& world, double h)
-{
-  switch (world.method)
-  {
-    case Method::EulerExplicit:
-      return fly<stepExplicit>(world, h);
-    case Method::EulerSemiImplicit:
-      return fly<stepSemiImplicit>(world, h);
-    case Method::Verlet:
-      return fly<stepVerlet>(world, h);
-    default:
-      return fly<stepRk4>(world, h);
-  }
-}
-
 // --- detect and resolve ---
 
 // The ball is clear of a box along the axes of W, which contains a shape: true for most shapes of a scene, and cheapest.
@@ -242,9 +227,9 @@ void collidePairs(WorldState& world, const Instant& now)
       if ((a.path.c[0] - b.path.c[0]).squaredNorm() < reach * reach) collidePair(world, a, b, now);
     }
 }
-}  // namespace
 
-void runFixedStep(WorldState& world, double end)
+template <Step step>
+void run(WorldState& world, double end)
 {
   const double duration = end - world.time;
   const long count = std::max(1L, std::lround(std::ceil(duration / world.scene.dt - 1e-9)));
@@ -252,10 +237,16 @@ void runFixedStep(WorldState& world, double end)
   for (long i = 1; i <= count; ++i)
   {
     const Instant now{i == count ? end : world.time + h * static_cast<double>(i), h};
-    flyAll(world, h);
+    fly<step>(world, h);
     collideWithBodies(world, now);
     collidePairs(world, now);
   }
   for (BallRecord& ball : world.balls) ball.path.start = end;
 }
+}  // namespace
+
+void runEulerExplicit(WorldState& world, double end) { run<stepExplicit>(world, end); }
+void runEulerSemiImplicit(WorldState& world, double end) { run<stepSemiImplicit>(world, end); }
+void runVerlet(WorldState& world, double end) { run<stepVerlet>(world, end); }
+void runRk4(WorldState& world, double end) { run<stepRk4>(world, end); }
 }  // namespace ping_pong

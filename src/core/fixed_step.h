@@ -5,6 +5,9 @@
 
 namespace ping_pong
 {
-/// Advances all balls to `end` in equal steps no longer than scene.dt.
-void runFixedStep(WorldState& world, double end);
+/// Advance all balls to `end` in equal steps no longer than scene.dt; see MethodFunctions.
+void runEulerExplicit(WorldState& world, double end);
+void runEulerSemiImplicit(WorldState& world, double end);
+void runVerlet(WorldState& world, double end);
+void runRk4(WorldState& world, double end);
 }  // namespace ping_pong

@@ -27,8 +27,6 @@ void join(WorldState& world, std::uint32_t i, double t)
   ball.supports = Supports();
   ball.expectNothing();
   ++ball.version;  // what others foresaw with it is void
-  ball.piled = true;
-  ball.asleep = false;
   ball.crowding = 0;
   addToPile(world, i, t);
 }
@@ -37,7 +35,7 @@ void join(WorldState& world, std::uint32_t i, double t)
 Box boxAround(const BallRecord& ball, double start, double end)
 {
   const double T = end - start;
-  const double a = ball.piled ? 0.0 : ball.path.accelerationBound();
+  const double a = ball.ofSolver() ? 0.0 : ball.path.accelerationBound();
   const Vector3d p = ball.path.position(start - ball.path.start);
   const double speed = ball.path.velocity(start - ball.path.start).norm();
   const double reach = ball.params().radius + T * (speed + 0.5 * T * a) + kNear;
@@ -170,7 +168,7 @@ void leavePile(WorldState& world, std::uint32_t i, double t, double smooth_until
   BallRecord& ball = world.balls[i];
   const BallState state = ball.stateAt(t);
   dropFromPile(world.pile, i);
-  ball.piled = ball.asleep = false;
+  ball.owner = BallOwner::Method;
   planPath(world, ball, state, t, smooth_until);
   foresee(world, i, t);
   if (world.any_moving) foreseeMoving(world, i, t, smooth_until);

@@ -54,7 +54,7 @@ void take(WorldState& world, std::size_t slot, double time)
   Mover mover;
   mover.kind = kindOf(pile, ball);
   mover.v = state.v_WB;
-  mover.asleep = mover.loaded = mover.was_loaded = ball.asleep;
+  mover.asleep = mover.loaded = mover.was_loaded = ball.asleep();
   mover.p = pile.home[slot] = state.p_WB;
   pile.movers[slot] = mover;
   pile.w[slot] = state.w_WB;
@@ -133,6 +133,7 @@ void addToPile(WorldState& world, std::uint32_t ball, double time)
   Pile& pile = world.pile;
   eachSlotList(pile, !world.balls[ball].model().constant(), [](auto& list) { makeBlank(list.emplace_back()); });
   pile.ball.back() = ball;
+  world.balls[ball].owner = BallOwner::Solver;
   take(world, pile.ball.size() - 1, time);
 }
 
@@ -163,7 +164,7 @@ void disturbPile(WorldState& world)
 {
   for (std::size_t slot = 0; slot < world.pile.ball.size(); ++slot)
   {
-    world.balls[world.pile.ball[slot]].asleep = false;
+    world.balls[world.pile.ball[slot]].wake();
     take(world, slot, world.time);
   }
 }
@@ -171,7 +172,7 @@ void disturbPile(WorldState& world)
 void restatePile(WorldState& world, std::uint32_t ball)
 {
   const std::uint32_t slot = slotOf(world.pile, ball);
-  world.balls[world.pile.ball[slot]].asleep = false;
+  world.balls[world.pile.ball[slot]].wake();
   wakeNear(world.pile, world.pile.movers[slot].p, world.pile.radius(slot));
   take(world, slot, world.time);
   wakeNear(world.pile, world.pile.movers[slot].p, world.pile.radius(slot));

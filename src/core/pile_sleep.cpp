@@ -27,7 +27,7 @@ void sleep(WorldState& world, std::size_t i)
   pile.changes[i] = Change();
   pile.voidActive(i);
   BallRecord& ball = world.balls[pile.ball[i]];
-  ball.asleep = true;
+  ball.owner = BallOwner::SolverAsleep;
   ball.supports.setSince(pile.start + pile.h - static_cast<double>(pile.still[i]));
   storeBall(world, i, pile.start + pile.h);
 }

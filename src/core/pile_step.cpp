@@ -197,7 +197,7 @@ void runPile(WorldState& world, double start, double end, double longest_step)
               for (const std::uint32_t i : share.awake)
               {
                 storeBall(world, i, end);
-                world.balls[pile.ball[i]].asleep = false;
+                world.balls[pile.ball[i]].wake();
               }
             });
   takeOutSqueezed(world);  // last: slots of others change

@@ -36,7 +36,7 @@ void lookAtBalls(const WorldState& world, const Vector3d& p_WB, double radius, s
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
     const BallRecord& other = world.balls[i];
-    if (i == except || other.squeezed) continue;
+    if (i == except || other.squeezed()) continue;
     const Vector3d d = p_WB - other.stateAt(world.time).p_WB;
     const double distance = d.norm();
     const double gap = distance - radius - other.params().radius;

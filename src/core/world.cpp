@@ -5,8 +5,7 @@
 
 #include "count.h"
 #include "exact_method.h"
-#include "fixed_step.h"
-#include "handover.h"
+#include "method.h"
 #include "ping_pong_sim/choose_method.h"
 #include "ping_pong_sim/drive.h"
 #include "ping_pong_sim/evolve.h"
@@ -28,12 +27,6 @@ constexpr std::size_t kContactsOfABall = 8;
 constexpr std::size_t kBallsWithContacts = 1000;  // of more balls only so many have a record of their own kept free
 constexpr std::size_t kBallsHeld = 1000;          // of more balls fewer roll over edges and round or turning surfaces at once
 constexpr std::size_t kManyBalls = 32;            // from here on a grid tells which balls may overlap
-
-// Each event of each ball on a path of its own.
-bool eventByEvent(Method method)
-{
-  return method == Method::Exact || method == Method::Rk4Located;
-}
 
 std::string refuseState(const BallState& state)
 {
@@ -102,6 +95,7 @@ struct World::Impl : WorldState
 {
   using WorldState::WorldState;
 
+  const MethodFunctions* functions = nullptr;  // of the method
   BallId next_id = 0;
   double time_rest = 0.0;  // what rounding took from time: N ticks of h end at N h
   std::vector<Obstacle> obstacles;  // of the window; this and the next are kept, so that no step allocates
@@ -109,6 +103,7 @@ struct World::Impl : WorldState
 
   std::size_t space_for = 0;        // balls that there is memory for
 
+  void choose(Method its_method);
   void start();
   void become(const Impl& model);
   void beginTick();
@@ -116,20 +111,25 @@ struct World::Impl : WorldState
   void remove(std::size_t index);
   double later(double duration);
   double movePaddles(double end);
-  void runMethod(double end);
   void makeSpace();
   void takeSpace();
-  void planAll();
-  void planBall(std::size_t index);
+  void ballChanged(std::size_t index);
   void letGo(std::size_t body);
   void countTroubles();
   void makeRoom();
   std::vector<char> ballsThatOverlap();
 };
 
+void World::Impl::choose(Method its_method)
+{
+  method = its_method;
+  functions = &functionsOf(method);
+  flies_in_steps = functions->flies_in_steps;
+}
+
 void World::Impl::start()
 {
-  method = chooseMethod(scene).method;
+  choose(chooseMethod(scene).method);
   time = time_rest = 0.0;
   next_id = 0;
   contacts.clear();
@@ -150,8 +150,8 @@ void World::Impl::start()
   }
   for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
   makeSpace();
-  if (eventByEvent(method)) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
-  planAll();
+  if (functions->needs_room) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
+  functions->start(*this);
   islands.length.estimate(*this);
 }
 
@@ -160,7 +160,7 @@ void World::Impl::become(const Impl& model)
 {
   if (space_for < model.space_for)
   {
-    method = model.method;
+    choose(model.method);
     workers = model.workers;
     space_for = model.space_for;
     takeSpace();
@@ -207,29 +207,13 @@ void World::Impl::takeSpace()
   Pooled<SpinTerms>::reserve(2 * std::min(space_for, kBallsHeld), workers.count());
   Pooled<Passing>::reserve(2 * space_for, workers.count());
   Supports::reserve(2 * space_for, workers.count());
-  const bool may_pile_up = eventByEvent(method) && space_for > 1;
-  if (may_pile_up) islands.reserve(space_for, workers.count());
-  if (may_pile_up || method == Method::Impulse) reservePile(pile, space_for, !scene.forces.dependOnVelocity());
+  functions->reserve(*this, space_for);
 }
 
-void World::Impl::planAll()
-{
-  if (eventByEvent(method)) restartExact(*this);
-  disturbPile(*this);
-  if (method != Method::Impulse || !pile.ball.empty()) return;
-  for (std::uint32_t i = 0; i < balls.size(); ++i)
-    if (!balls[i].squeezed) addToPile(*this, i, time);
-}
-
-void World::Impl::planBall(std::size_t index)
+void World::Impl::ballChanged(std::size_t index)
 {
   makeSpace();
-  if (eventByEvent(method)) restartBall(*this, index);
-  if (method != Method::Impulse) return;
-  if (slotOf(pile, static_cast<std::uint32_t>(index)) == pile.ball.size())
-    addToPile(*this, static_cast<std::uint32_t>(index), time);
-  else
-    restatePile(*this, static_cast<std::uint32_t>(index));
+  functions->ballChanged(*this, index);
 }
 
 void World::Impl::remove(std::size_t index)
@@ -296,16 +280,6 @@ double World::Impl::movePaddles(double end)
   return h < end - time ? time + h : end;
 }
 
-void World::Impl::runMethod(double end)
-{
-  if (eventByEvent(method))
-    runExact(*this, end);
-  else if (method == Method::Impulse)
-    runPile(*this, time, end, scene.dt);
-  else
-    runFixedStep(*this, end);
-}
-
 // After a body has jumped: balls that it covers are put on its surface, and push on others in turn. Whoever finds no room
 // is squeezed, where it is. (In a pile balls may overlap a little, and push each other out.)
 void World::Impl::makeRoom()
@@ -313,7 +287,7 @@ void World::Impl::makeRoom()
   const std::vector<char> overlapping = ballsThatOverlap();
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
-    const bool piled = balls[i].piled || method == Method::Impulse;
+    const bool piled = balls[i].ofSolver();
     BallState state = balls[i].stateAt(time);
     const double radius = balls[i].params().radius;
     const bool free = piled ? !overlapsABody(*this, state.p_WB, radius)
@@ -355,10 +329,10 @@ void World::Impl::letGo(std::size_t body)
 // Of those that cannot have any nobody is asked: thousands of records are a long way through memory.
 void World::Impl::countTroubles()
 {
-  if (!any_squeezed && method != Method::Rk4Located) return;
+  if (!any_squeezed && !flies_in_steps) return;
   for (const BallRecord& ball : balls)
   {
-    status.squeezed += ball.squeezed;
+    status.squeezed += ball.squeezed();
     status.not_finite |= ball.overflows;
   }
 }
@@ -389,7 +363,7 @@ StepStatus World::advance(double duration)
   while (world.time < end)
   {
     const double next = world.movePaddles(end);
-    world.runMethod(next);
+    world.functions->advance(world, next);
     world.time = next;
     releaseSqueezed(world);
   }
@@ -421,14 +395,14 @@ BallState World::ballState(std::size_t index) const { return impl_->balls[index]
 bool World::resting(std::size_t index) const
 {
   const BallRecord& ball = impl_->balls[index];
-  if (ball.asleep) return true;
+  if (ball.asleep()) return true;
   return !ball.supports.none() && ball.path.degree == 0 && ball.supports.since() <= impl_->time;
 }
 
 double World::restingSince(std::size_t index) const
 {
   const BallRecord& ball = impl_->balls[index];
-  return ball.supports.none() && !ball.asleep ? std::nan("") : ball.supports.since();
+  return ball.supports.none() && !ball.asleep() ? std::nan("") : ball.supports.since();
 }
 
 std::size_t World::bodyCount() const { return impl_->bodies.size(); }
@@ -499,7 +473,7 @@ Refusal World::spawnBall(const BallParams& params, const BallState& state, BallI
   if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
   const BallRecord& ball = impl_->add(params, normalized(state));
   if (id) *id = ball.id;
-  impl_->planBall(impl_->balls.size() - 1);
+  impl_->ballChanged(impl_->balls.size() - 1);
   return {};
 }
 
@@ -522,11 +496,9 @@ Refusal World::setBallState(BallId id, const BallState& state)
   BallRecord& ball = impl_->balls[index];
   reason = describeOverlap(*impl_, state.p_WB, ball.params().radius, index);
   if (!reason.empty()) return {"position: inside " + reason + "; expected a free place"};
-  if (ball.piled) leavePile(*impl_, static_cast<std::uint32_t>(index), impl_->time, impl_->time);
-  ball.squeezed = false;
   ball.supports = Supports();
   ball.path = flyParabola(normalized(state), impl_->time, Vector3d::Zero());
-  impl_->planBall(index);
+  impl_->ballChanged(index);
   return {};
 }
 
@@ -539,9 +511,8 @@ Refusal World::setBodyPose(std::size_t body, const Pose& pose)
   record.command = PaddleCommand();
   placeBody(record, {pose.p, pose.q.normalized()});
   impl_->letGo(body);
-  for (BallRecord& ball : impl_->balls) ball.asleep = false;
   impl_->makeRoom();
-  impl_->planAll();
+  impl_->functions->start(*impl_);
   return {};
 }
 

@@ -52,16 +52,24 @@ struct Passing
   Event ball;    ///< with balls of the same island, while that runs
 };
 
+/// Who moves a ball.
+enum class BallOwner : std::uint8_t
+{
+  Method,          ///< the scene's method, on paths or in steps of its own
+  Solver,          ///< the contact solver: every ball of `impulse`, and what `exact` has handed over, see handover.h
+  SolverAsleep,    ///< the same; at rest until something wakes it, see pile_sleep.cpp
+  Nobody,          ///< squeezed: it has no room, and is given back to the method when it has
+  NobodyOfSolver   ///< the same, given back to the solver
+};
+
 /// Thousands of them are a long way through memory: what many have in common, and what few have, is elsewhere, and small
 /// members are where larger ones end before their last byte.
 struct BallRecord
 {
   const BallType* type;
   [[no_unique_address]] Event next;  ///< with still bodies; holds until the path changes
-  bool squeezed : 1;
-  bool piled : 1;          ///< handed over to the pile, see handover.h
-  bool asleep : 1;         ///< in the pile, see pile.h
-  bool overflows : 1;      ///< a step of fixed length from here has no finite end: the path goes straight on
+  BallOwner owner : 7;
+  bool overflows : 1;             ///< a step of fixed length from here has no finite end: the path goes straight on
   std::uint16_t crush = 0;        ///< contacts in even quicker succession than a streak's
   std::uint8_t streak = 0;        ///< contacts in quick succession, see streak.h
   std::uint8_t crowding = 0;      ///< contacts with other balls since `crowded_since`, see handover.h
@@ -74,13 +82,21 @@ struct BallRecord
   std::uint32_t version = 0;      ///< of the path
 
   BallRecord(BallId its_id, const BallType& its_type)
-    : type(&its_type), squeezed(false), piled(false), asleep(false), overflows(false), id(its_id)
+    : type(&its_type), owner(BallOwner::Method), overflows(false), id(its_id)
   {
   }
   const BallParams& params() const { return type->first; }
   const FlightModel& model() const { return type->second; }
   /// The exact method has nothing to do with it.
-  bool away() const { return squeezed || piled; }
+  bool away() const { return owner != BallOwner::Method; }
+  bool asleep() const { return owner == BallOwner::SolverAsleep; }
+  bool squeezed() const { return owner == BallOwner::Nobody || owner == BallOwner::NobodyOfSolver; }
+  /// In the solver, or squeezed there.
+  bool ofSolver() const { return owner != BallOwner::Method && owner != BallOwner::Nobody; }
+  void wake()
+  {
+    if (asleep()) owner = BallOwner::Solver;
+  }
   BallState stateAt(double time) const { return path.state(time - path.start); }
 
   /// When it meets a ball or a moving body, as far as that is foreseen; kNever if it does not.
@@ -376,6 +392,7 @@ struct WorldState : Records, SharedScene
   WorldState& operator=(const WorldState&) = default;
 
   Method method = Method::Exact;          ///< in use: never Auto
+  bool flies_in_steps = false;            ///< paths in the air are steps of scene.dt, else of what the tolerance permits
   double time = 0.0;  ///< [s]
   BallTypes types;
   std::vector<BallRecord> balls;
