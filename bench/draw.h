@@ -1,7 +1,7 @@
 // Random starts with the same bits everywhere.
 #pragma once
 
-#include "../src/core/random.h"
+#include "../src/core/base/random.h"
 
 namespace ping_pong::bench
 {

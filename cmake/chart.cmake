@@ -23,7 +23,7 @@ add_executable(${PROJECT_NAME}_chart EXCLUDE_FROM_ALL
   bench/time_run.cpp
 )
 set_target_properties(${PROJECT_NAME}_chart PROPERTIES OUTPUT_NAME chart)
-target_include_directories(${PROJECT_NAME}_chart PRIVATE bench test/core)
+target_include_directories(${PROJECT_NAME}_chart PRIVATE bench test/core src/core)
 target_link_libraries(${PROJECT_NAME}_chart PRIVATE ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
 if(BENCH_PEERS)
   target_compile_definitions(${PROJECT_NAME}_chart PRIVATE BENCH_PEERS)

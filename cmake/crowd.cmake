@@ -13,7 +13,7 @@ add_executable(${PROJECT_NAME}_crowd EXCLUDE_FROM_ALL
   bench/results_file.cpp
 )
 set_target_properties(${PROJECT_NAME}_crowd PROPERTIES OUTPUT_NAME crowd)
-target_include_directories(${PROJECT_NAME}_crowd PRIVATE bench test/core)
+target_include_directories(${PROJECT_NAME}_crowd PRIVATE bench test/core src/core)
 target_link_libraries(${PROJECT_NAME}_crowd PRIVATE ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
 target_compile_definitions(${PROJECT_NAME}_crowd PRIVATE SCENES_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/scenes")
 if(BENCH_PEERS)

@@ -42,6 +42,7 @@ function(add_core_test name)
     SIMULATE="$<TARGET_FILE:${PROJECT_NAME}_simulate>"
     VALIDATE="$<TARGET_FILE:${PROJECT_NAME}_validate>"
     CHART="$<TARGET_FILE:${PROJECT_NAME}_chart>"
+    SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}"
     DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/test/data"
     HASHES="$<TARGET_FILE:${PROJECT_NAME}_hashes>"
     HASHES_O1="$<TARGET_FILE:${PROJECT_NAME}_hashes_O1>"
@@ -58,6 +59,7 @@ foreach(name
     paddle_blocking
     start_motion
     world_copy
+    architecture
     choose_method
     flight
     ladder

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../../src/core/random.h"
+#include "../../src/core/base/random.h"
 
 namespace ping_pong::bench
 {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "../../src/core/text_input.h"
+#include "../../src/core/scene/text_input.h"
 #include "scene_files.h"
 #include "watched.h"
 

@@ -2,7 +2,7 @@
 
 #include <getopt.h>
 
-#include "../core/text_input.h"
+#include "../core/scene/text_input.h"
 #include "ping_pong_sim/scene_loader.h"
 
 namespace ping_pong

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "ping_pong_sim/constants.h"
-#include "presets.h"
+#include "scene/presets.h"
 
 namespace ping_pong
 {

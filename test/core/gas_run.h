@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "broad_phase.h"
+#include "detect/broad_phase.h"
 #include "ping_pong_sim/room.h"
-#include "random.h"
+#include "base/random.h"
 #include "scene_builder.h"
 
 namespace ping_pong

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ping_pong_sim/motion.h"
-#include "ping_pong_sim/segment.h"
+#include "evolve/segment.h"
 #include "ping_pong_sim/shape.h"
 
 namespace ping_pong

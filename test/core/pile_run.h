@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "ping_pong_sim/evolve.h"
+#include "evolve/flight.h"
 #include "scene_builder.h"
-#include "world_state.h"
+#include "solver/solver_state.h"
 
 namespace ping_pong
 {
@@ -14,7 +14,7 @@ inline constexpr double kStep = 1e-3;  // [s]
 // Balls that are all in a pile, step by step.
 struct PileRun
 {
-  WorldState world;
+  WorldWithSolver world;
 
   PileRun(const Scene& scene, std::size_t threads) : world(std::make_shared<const Scene>(scene))
   {

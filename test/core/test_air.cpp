@@ -3,7 +3,7 @@
 #include <random>
 
 #include "air_shots.h"
-#include "ping_pong_sim/evolve.h"
+#include "evolve/flight.h"
 #include "scene_builder.h"
 
 namespace ping_pong

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "ping_pong_sim/detect.h"
-#include "ping_pong_sim/evolve.h"
+#include "detect/first_contact.h"
+#include "evolve/flight.h"
 #include "ping_pong_sim/forces.h"
 #include "scene_builder.h"
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <set>
 
-#include "pile_batches.h"
-#include "random.h"
+#include "solver/contact_batches.h"
+#include "base/random.h"
 
 namespace ping_pong
 {

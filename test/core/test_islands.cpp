@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "broad_phase.h"
+#include "detect/broad_phase.h"
 #include "overlaps.h"
 #include "scene_builder.h"
 
@@ -126,7 +126,10 @@ Pairs pairsFound(const BroadPhase& broad_phase, const std::vector<CoarseBox>& bo
   broad_phase.eachPair(
       [&](std::uint32_t a, std::uint32_t b)
       {
-        if (boxes[a].overlaps(boxes[b])) EXPECT_TRUE(pairs.insert(std::minmax(a, b)).second) << "told twice";
+        if (boxes[a].overlaps(boxes[b]))
+        {
+          EXPECT_TRUE(pairs.insert(std::minmax(a, b)).second) << "told twice";
+        }
       });
   return pairs;
 }

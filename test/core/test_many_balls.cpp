@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "ping_pong_sim/detect.h"
-#include "ping_pong_sim/evolve.h"
+#include "detect/first_contact.h"
+#include "evolve/flight.h"
 #include "scene_builder.h"
 
 namespace ping_pong

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "hit_reference.h"
-#include "ping_pong_sim/detect.h"
-#include "ping_pong_sim/evolve.h"
+#include "detect/first_contact.h"
+#include "evolve/flight.h"
 #include "scene_builder.h"
 
 namespace ping_pong

@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "ping_pong_sim/drive.h"
+#include "paddle/paddle_drive.h"
 #include "ping_pong_sim/scene_loader.h"
-#include "ping_pong_sim/separation.h"
+#include "geometry/separating_axis.h"
 #include "ping_pong_sim/world.h"
 
 namespace ping_pong

@@ -1,7 +1,7 @@
 // A paddle follows its commands within its limits: closed forms.
 #include <gtest/gtest.h>
 
-#include "ping_pong_sim/drive.h"
+#include "paddle/paddle_drive.h"
 #include "ping_pong_sim/world.h"
 
 namespace ping_pong

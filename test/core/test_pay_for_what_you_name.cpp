@@ -7,9 +7,9 @@
 #include <functional>
 #include <set>
 
-#include "count.h"
+#include "base/law_counter.h"
 #include "ping_pong_sim/choose_method.h"
-#include "ping_pong_sim/evolve.h"
+#include "evolve/flight.h"
 #include "scene_builder.h"
 
 namespace ping_pong

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "allocations.h"
-#include "ping_pong_sim/evolve.h"
+#include "evolve/flight.h"
 #include "scene_builder.h"
 
 namespace ping_pong

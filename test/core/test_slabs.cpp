@@ -97,7 +97,7 @@ Scene ballsInARow()
 std::size_t asleep(const PileRun& run)
 {
   return static_cast<std::size_t>(
-      std::count_if(run.world.balls.begin(), run.world.balls.end(), [](const BallRecord& ball) { return ball.asleep; }));
+      std::count_if(run.world.balls.begin(), run.world.balls.end(), [](const BallRecord& ball) { return ball.asleep(); }));
 }
 
 // The slab that is about to wake somebody up, or none: as many as there are.

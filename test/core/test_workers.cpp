@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "workers.h"
+#include "base/thread_pool.h"
 
 namespace ping_pong
 {

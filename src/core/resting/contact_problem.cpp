@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "count.h"
+#include "base/law_counter.h"
 #include "resting/contact_newton.h"
 #include "resting/held_forces.h"
 

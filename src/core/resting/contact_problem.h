@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ping_pong_sim/support.h"
+#include "state/supports.h"
 #include "resting/support_point.h"
 
 namespace ping_pong

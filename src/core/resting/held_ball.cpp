@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "count.h"
+#include "base/law_counter.h"
 #include "resting/held_forces.h"
 
 namespace ping_pong

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "resting/contact_problem.h"
-#include "world_state.h"
+#include "state/world_state.h"
 
 namespace ping_pong
 {

@@ -1,6 +1,6 @@
 #include "resting/support_point.h"
 
-#include "count.h"
+#include "base/law_counter.h"
 
 namespace ping_pong
 {

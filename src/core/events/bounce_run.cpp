@@ -1,0 +1,137 @@
+#include "events/bounce_run.h"
+
+#include "resting/plan_path.h"
+#include "state/contact_log.h"
+#include "base/law_counter.h"
+#include "detect/fall_on_plane.h"
+#include "events/predict.h"
+#include "events/bounce_run_level.h"
+#include "state/collapse_guard.h"
+
+namespace ping_pong
+{
+namespace
+{
+constexpr std::size_t kHopsAtATime = 1000;  // the limit of events is looked at in between
+
+// What does not change from hop to hop.
+struct Ground
+{
+  const Shape& plane;
+  const Surface& law;
+  Vector3d n;
+  Vector3d a;       // of the ball
+  double press;     // -n.a
+  bool only_shape;  // there is nothing else to hit
+};
+
+Ground groundOf(const WorldState& world, const BallRecord& ball, const Event& event)
+{
+  const BodyRecord& body = world.bodies[event.other];
+  const Shape& plane = body.placed[event.shape];
+  const Vector3d n = plane.R_BS.col(2);
+  const Vector3d a = ball.model().acceleration(Vector3d::Zero(), Vector3d::Zero());
+  return {plane, world.surface(ball, plane), n, a, -n.dot(a), world.bodies.size() == 1 && body.placed.size() == 1};
+}
+
+bool hopsOn(const WorldState& world, const BallRecord& ball, const Event& event)
+{
+  if (event.kind != Event::Kind::HitBody || world.any_moving || ball.path.degree != 2 || !ball.model().constant()) return false;
+  const BodyRecord& body = world.bodies[event.other];
+  return body.version == event.version && body.placed[event.shape].kind == ShapeKind::HalfSpace && ball.supports.none() &&
+         ball.path.w_WB.isZero(0.0) && ball.path.turn_WB().isZero(0.0) && ball.crush < kLongStreak;
+}
+
+bool slips(const Ground& ground, const Vector3d& v)
+{
+  return ground.law.friction != 0.0 && !(v - ground.n.dot(v) * ground.n).isZero(0.0);
+}
+
+// Whether all bounces to come are too small to count: then the ball comes to lie.
+bool settles(const Ground& ground, const Vector3d& p, const Vector3d& v, double radius)
+{
+  const double rate = ground.n.dot(v);
+  return rate <= kSurelyBounces && bouncingEnds(rate, ground.press, touchTolerance(p, radius));
+}
+
+bool othersInTheWay(const WorldState& world, const BallRecord& ball, const Ground& ground, double t, double next)
+{
+  if (ground.only_shape) return false;
+  Box way = boxOf(ball, t, next);
+  way.low.array() -= kSlack;
+  way.high.array() += kSlack;
+  for (const BodyRecord& body : world.bodies)
+    for (std::size_t s = 0; s < body.placed.size(); ++s)
+      if (&body.placed[s] != &ground.plane && way.overlaps(body.boxes[s])) return true;
+  return false;
+}
+
+// The acceleration and its bounds are what they were.
+void setPath(BallRecord& ball, const Vector3d& p, const Vector3d& v, double t)
+{
+  ball.path.start = t;
+  ball.path.c[0] = p;
+  ball.path.c[1] = v;
+  ++ball.version;
+}
+
+void foreseeHop(WorldState& world, std::size_t i, const Ground& ground, double t)
+{
+  BallRecord& ball = world.balls[i];
+  const Detection found = fallOnPlane(ball.path, ball.params().radius, ground.n, ground.plane, t, t + kHorizon);
+  if (!found.found() || othersInTheWay(world, ball, ground, t, found.time)) return foresee(world, i, t);
+  count(Law::MeetHalfSpace);
+  ball.next.time = found.time;  // the rest is what it was
+}
+
+// One bounce; false, with nothing changed, if it is none of this kind.
+bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Ground& ground)
+{
+  BallRecord& ball = world.balls[i];
+  const double t = ball.next.time;
+  const double s = t - ball.path.start;
+  const auto& c = ball.path.c;
+  const Vector3d p = c[0] + s * (c[1] + s * c[2]);
+  const Vector3d before = c[1] + (2.0 * s) * c[2];
+  const double closing = -ground.n.dot(before);
+  if (!(closing > 0.0) || slips(ground, before)) return false;
+  const Vector3d after = before + ((1.0 + ground.law.restitutionAt(closing)) * closing) * ground.n;
+  if (settles(ground, p, after, ball.params().radius)) return false;
+  count(Law::Restitution);
+  countStreak(ball, t);
+  if (worthAReport(ball, closing))
+    recordBodyContact(*window.records, world.balls[i], i, ball.next, {p, before, after, Vector3d::Zero(), Vector3d::Zero()}, ground.n, Vector3d::Zero(), t);
+  if (window.log) window.log->flown(i, t);
+  setPath(ball, p, after, t);
+  foreseeHop(world, i, ground, t);
+  return true;
+}
+
+// What hopOnLevel() takes for granted, besides what hop() does.
+bool level(const Ground& ground, const BallRecord& ball)
+{
+  return ground.only_shape && ground.n == Vector3d::UnitZ() && ground.a.x() == 0.0 && ground.a.y() == 0.0 &&
+         !slips(ground, ball.path.c[1]);
+}
+
+bool onTheSame(const Event& now, const Event& before)
+{
+  return now.kind == before.kind && now.other == before.other && now.shape == before.shape;
+}
+}  // namespace
+
+bool hop(WorldState& world, const Window& window, std::size_t i)
+{
+  BallRecord& ball = world.balls[i];
+  if (!hopsOn(world, ball, ball.next)) return false;
+  const Event first = ball.next;
+  const Ground ground = groundOf(world, ball, first);
+  const std::size_t most = window.count == 1 ? kHopsAtATime : 1;
+  std::size_t hops = 0;
+  if (most > 1 && level(ground, ball))
+    hops = hopOnLevel(world, window, i, {ground.plane.p_BS.z(), ground.law, ground.a.z()}, most);
+  while (hops < most && ball.next.time <= window.end && onTheSame(ball.next, first) && hopOnce(world, window, i, ground)) ++hops;
+  if (hops > 1) window.records->status.events += hops - 1;  // one has been counted by the caller
+  return hops > 0;
+}
+}  // namespace ping_pong

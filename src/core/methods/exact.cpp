@@ -1,0 +1,96 @@
+#include "methods/exact.h"
+
+#include "resting/plan_path.h"
+#include "events/event_loop.h"
+#include "events/predict.h"
+#include "windows/solver_handover.h"
+#include "windows/time_windows.h"
+
+namespace ping_pong
+{
+namespace
+{
+bool liesOnMovedBody(const WorldWithWindows& world, const BallRecord& ball)
+{
+  for (std::size_t k = 0; k < ball.supports.count(); ++k)
+  {
+    const BodyRecord& body = world.bodies[ball.supports[k].body];
+    if (body.moving || body.moved) return true;
+  }
+  return false;
+}
+
+// Paddles move differently from now on: what was foreseen with them is void.
+void startWindow(WorldWithWindows& world, double end)
+{
+  bool stopped = false;
+  bool moving = false;
+  for (const BodyRecord& body : world.bodies)
+  {
+    stopped |= body.moved && !body.moving;
+    moving |= body.moving;
+  }
+  if (!moving && !stopped && !world.any_moving) return;
+  world.any_moving = moving;
+  ++world.edits;
+  for (std::size_t i = 0; i < world.balls.size(); ++i)
+  {
+    BallRecord& ball = world.balls[i];
+    if (ball.away()) continue;
+    if (liesOnMovedBody(world, ball))
+    {
+      planPath(world, ball, ball.stateAt(world.time), world.time, end);
+      foresee(world, i, world.time);
+    }
+    else if (stopped)
+      foresee(world, i, world.time);
+    if (moving || ball.meetsMoving() < kNever) foreseeMoving(world, i, world.time, end);
+  }
+}
+
+void restartBall(WorldWithWindows& world, std::size_t i)
+{
+  BallRecord& ball = world.balls[i];
+  ++world.edits;
+  if (ball.away()) return;
+  planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
+  foresee(world, i, world.time);
+  if (ball.passing) ball.passing->moving = Event();
+}
+
+}  // namespace
+
+void reserveExact(WorldWithWindows& world, std::size_t balls)
+{
+  if (balls < 2) return;
+  world.islands.reserve(balls, world.workers.count());
+  reservePile(world.pile, balls, !world.scene.forces.dependOnVelocity());
+}
+
+void startExact(WorldWithWindows& world)
+{
+  for (std::size_t i = 0; i < world.balls.size(); ++i) restartBall(world, i);
+  disturbPile(world);
+}
+
+void exactBallChanged(WorldWithWindows& world, std::size_t i)
+{
+  BallRecord& ball = world.balls[i];
+  if (ball.ofSolver()) dropFromPile(world.pile, static_cast<std::uint32_t>(i));
+  ball.owner = BallOwner::Method;
+  restartBall(world, i);
+}
+
+void runExact(WorldWithWindows& world, double end)
+{
+  startWindow(world, end);
+  if (world.balls.size() == 1)
+  {
+    const std::size_t only = 0;
+    if (!world.pile.ball.empty()) leavePile(world, 0, world.time, end);
+    runTogether(world, {world.time, end, end, &only, 1, &world});
+  }
+  else if (!world.balls.empty())
+    runIslands(world, end);
+}
+}  // namespace ping_pong

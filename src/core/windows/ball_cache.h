@@ -1,0 +1,121 @@
+// What a window asks of every ball, in one line of the cache: thousands of whole records are a long way through memory.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "geometry/aabb.h"
+#include "base/prefetch.h"
+#include "evolve/parabola.h"
+
+namespace ping_pong
+{
+struct BallRecord;
+
+/// No later than t, and not much earlier.
+inline float floatBefore(double t)
+{
+  constexpr float kRounding = 2e-7f;  // more than that of the number and of the difference, 2^-24 each
+  const auto near = static_cast<float>(std::min(t, 1e30));
+  return near - kRounding * std::abs(near);
+}
+
+/// What changes most, in one word: of several workers one can claim a ball.
+struct alignas(8) GlanceHead
+{
+  union
+  {
+    float next = 0.0f;    ///< no event with a body is earlier [s]; of a busy ball:
+    std::uint32_t entry;  ///< of its record, see IslandRecords
+  };
+  std::uint16_t version = 0;  ///< of the path: its last bits
+  std::uint8_t kind = 0;      ///< entry in Glances::kinds
+  bool bent : 1;              ///< the ball has left a path in this window,
+  bool added : 1;             ///< or in one before since the grid was built, or may have
+  bool due : 1;               ///< it is in a list, see IslandWork::due
+  bool busy : 1;              ///< something happens to it in this window
+
+  GlanceHead() : bent(false), added(false), due(false), busy(false) {}
+};
+
+struct alignas(64) Glance : GlanceHead
+{
+  double start = 0.0;  ///< of the path [s]
+  Vector3d p, v;       ///< there, in W [m, m/s]
+};
+static_assert(sizeof(GlanceHead) == 8, "a word");
+static_assert(sizeof(Glance) == 64, "a line of the cache");
+
+/// What many balls have in common.
+struct GlanceKind
+{
+  enum class How : std::uint8_t
+  {
+    AskRecord,  ///< a path that is not known here
+    Away,       ///< BallRecord::away()
+    Flies,      ///< p + v s + half_a s^2
+    Lies
+  };
+  How how = How::AskRecord;
+  double radius = 0.0;                   ///< [m]
+  Vector3d half_a = Vector3d::Zero();    ///< [m/s^2], in W
+};
+
+class Glances
+{
+public:
+  void reserve(std::size_t balls);
+  /// Not if someone has changed balls outside of a window since lookAtAll(): WorldState::edits tells.
+  bool known(std::uint32_t edits) const { return known_ == edits; }
+  void lookAtAll(const std::vector<BallRecord>& balls, std::uint32_t edits);
+  /// To be called when ball i will not change any more, for now.
+  /// @return what its `next` has to be when it is not busy
+  float lookAt(const BallRecord& ball, std::size_t i, bool bent);
+
+  /// While other workers may make balls busy:
+  GlanceHead head(std::size_t i) const
+  {
+    const Word word = __atomic_load_n(wordOf(i), __ATOMIC_RELAXED);
+    GlanceHead head;
+    std::memcpy(static_cast<void*>(&head), &word, sizeof head);
+    return head;
+  }
+  /// False, with nothing changed, if it is not `now` any more.
+  bool replace(std::size_t i, const GlanceHead& now, const GlanceHead& other)
+  {
+    Word expected, wanted;
+    std::memcpy(&expected, &now, sizeof expected);
+    std::memcpy(&wanted, &other, sizeof wanted);
+    return __atomic_compare_exchange_n(const_cast<Word*>(wordOf(i)), &expected, wanted, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+  }
+
+  /// It will be looked at soon, or changed: until then it comes through memory.
+  void fetch(std::size_t i) const { fetchToRead(&list_[i]); }
+  void fetchToChange(std::size_t i) const { fetchToWrite(&list_[i]); }
+  const Glance& operator[](std::size_t i) const { return list_[i]; }
+  Glance& operator[](std::size_t i) { return list_[i]; }
+  const GlanceKind& kindOf(const Glance& glance) const { return kinds_[glance.kind]; }
+  bool away(std::size_t i) const { return kindOf(list_[i]).how == GlanceKind::How::Away; }
+
+private:
+  static constexpr std::size_t kMostKinds = 16;
+  using Word [[gnu::may_alias]] = std::uint64_t;
+
+  const Word* wordOf(std::size_t i) const { return reinterpret_cast<const Word*>(static_cast<const GlanceHead*>(&list_[i])); }
+
+  bool is(std::uint8_t kind, const BallRecord& ball) const;
+  std::uint8_t kindFor(const BallRecord& ball, std::uint8_t guess) const;
+
+  std::uint32_t known_ = ~0u;  // edits then
+  std::vector<GlanceKind> kinds_;
+  std::vector<Glance> list_;
+};
+
+inline ParabolaView viewOf(const Glance& glance, const GlanceKind& kind)
+{
+  return {glance.start, glance.p, glance.v, kind.half_a};
+}
+}  // namespace ping_pong

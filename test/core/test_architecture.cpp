@@ -1,0 +1,135 @@
+// The house keeps its order: rooms, who includes whom, and what a header owes its reader. See docs/architecture.md.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+const fs::path kSource = SOURCE_DIR;
+const fs::path kCore = kSource / "src" / "core";
+
+// Bottom to top: a room includes only itself, those before it, and the public headers.
+const std::vector<std::string> kRooms = {"base",    "geometry", "evolve", "resolve", "detect",  "paddle",  "scene",
+                                         "state",   "resting",  "solver", "events",  "windows", "methods", "world"};
+
+std::vector<fs::path> sourcesIn(const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> linesOf(const fs::path& file)
+{
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<std::string> includesOf(const fs::path& file)
+{
+  static const std::regex kInclude("^\\s*#\\s*include\\s+[<\"]([^>\"]+)[>\"].*");
+  std::vector<std::string> includes;
+  for (const std::string& line : linesOf(file))
+  {
+    std::smatch match;
+    if (std::regex_match(line, match, kInclude)) includes.push_back(match[1]);
+  }
+  return includes;
+}
+
+bool startsWith(const std::string& text, const std::string& beginning) { return text.compare(0, beginning.size(), beginning) == 0; }
+
+std::size_t levelOf(const std::string& room)
+{
+  return static_cast<std::size_t>(std::find(kRooms.begin(), kRooms.end(), room) - kRooms.begin());
+}
+
+std::string roomOf(const fs::path& file) { return fs::relative(file, kCore).begin()->string(); }
+
+TEST(Architecture, EverySourceOfTheCoreIsInARoom)
+{
+  for (const fs::path& file : sourcesIn(kCore)) EXPECT_LT(levelOf(roomOf(file)), kRooms.size()) << file;
+}
+
+TEST(Architecture, IncludesGoDownward)
+{
+  std::size_t between_rooms = 0;
+  for (const fs::path& file : sourcesIn(kCore))
+    for (const std::string& include : includesOf(file))
+    {
+      const std::string room = include.substr(0, include.find('/'));
+      if (!fs::exists(kCore / include)) continue;
+      between_rooms += room != roomOf(file);
+      EXPECT_LE(levelOf(room), levelOf(roomOf(file))) << file << " includes " << include;
+    }
+  EXPECT_GT(between_rooms, 100u);  // the test has looked at something
+}
+
+TEST(Architecture, OnlyTheSceneReadsFiles)
+{
+  const std::vector<std::string> kLoaders = {"yaml-cpp/", "urdf_parser/", "urdf_model/", "tinyxml2"};
+  for (const fs::path& file : sourcesIn(kCore))
+    for (const std::string& include : includesOf(file))
+      for (const std::string& loader : kLoaders)
+        EXPECT_TRUE(!startsWith(include, loader) || roomOf(file) == "scene") << file << " includes " << include;
+}
+
+TEST(Architecture, PhysicsKnowsNoRos)
+{
+  const std::vector<std::string> kRos = {"ros/", "tf2", "rviz/", "geometry_msgs/", "visualization_msgs/", "ping_pong_sim/Ball", "std_msgs/"};
+  for (const fs::path& folder : {kCore, kSource / "include", kSource / "src" / "apps", kSource / "bench"})
+    for (const fs::path& file : sourcesIn(folder))
+      for (const std::string& include : includesOf(file))
+        for (const std::string& ros : kRos) EXPECT_FALSE(startsWith(include, ros)) << file << " includes " << include;
+}
+
+TEST(Architecture, PublicHeadersNeedNoneOfTheCore)
+{
+  for (const fs::path& file : sourcesIn(kSource / "include"))
+    for (const std::string& include : includesOf(file)) EXPECT_FALSE(fs::exists(kCore / include)) << file << " includes " << include;
+}
+
+TEST(Architecture, EveryHeaderBeginsWithItsPurposeAndIsShort)
+{
+  for (const fs::path& folder : {kCore, kSource / "include", kSource / "src" / "ros", kSource / "src" / "apps"})
+    for (const fs::path& file : sourcesIn(folder))
+    {
+      if (file.extension() != ".h") continue;
+      const std::vector<std::string> lines = linesOf(file);
+      ASSERT_FALSE(lines.empty()) << file;
+      EXPECT_TRUE(startsWith(lines.front(), "// ") && lines.front().size() > 12) << file << ": " << lines.front();
+      EXPECT_LE(lines.size(), 250u) << file;
+    }
+}
+
+// The page names every room, and no file that is not there.
+TEST(Architecture, ItsPageIsTrue)
+{
+  const fs::path page = kSource / "docs" / "architecture.md";
+  static const std::regex kLink("\\]\\(([^)#]+)\\)");
+  std::string text;
+  for (const std::string& line : linesOf(page)) text += line + '\n';
+  std::size_t links = 0;
+  for (std::sregex_iterator link(text.begin(), text.end(), kLink); link != std::sregex_iterator(); ++link)
+  {
+    const std::string target = (*link)[1];
+    if (startsWith(target, "http")) continue;
+    EXPECT_TRUE(fs::exists(page.parent_path() / target)) << target;
+    ++links;
+  }
+  EXPECT_GT(links, 30u);
+  for (const std::string& room : kRooms) EXPECT_NE(text.find("`" + room + "/`"), std::string::npos) << room;
+}
+}  // namespace
