@@ -95,7 +95,13 @@ class Run
 {
 public:
   Run(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort, std::size_t ticks)
-    : crowd_(crowd), effort_(effort), exactly_(ticks), begin_(now()), shared_(sceneOf(point, crowd, balls)), scene_(*shared_), states_(balls)
+      : crowd_(crowd),
+        effort_(effort),
+        exactly_(ticks),
+        begin_(now()),
+        shared_(sceneOf(point, crowd, balls)),
+        scene_(*shared_),
+        states_(balls)
   {
     const double start = now();
     if (point.engine->name == "ping_pong_sim")
@@ -131,7 +137,8 @@ private:
       if (crowd_.steady && spent > effort_.steady) break;
     }
     result_.simulated = simulated();
-    result_.done = crowd_.steady || ticks_.size() == most || (crowd_.enough > 0.0 && simulated() >= crowd_.enough - 0.5 * kTick);
+    result_.done =
+        crowd_.steady || ticks_.size() == most || (crowd_.enough > 0.0 && simulated() >= crowd_.enough - 0.5 * kTick);
     const Soundness end = look();
     result_.bytes = memory_.bytes();
     result_.energy_change = end.energy / energy - 1.0;
@@ -207,7 +214,8 @@ bool get(int end, void* bytes, std::size_t count)
 bool tell(int end, const CrowdResult& result, const std::vector<double>& ticks)
 {
   const std::size_t count = ticks.size();
-  return put(end, &result, sizeof result) && put(end, &count, sizeof count) && put(end, ticks.data(), count * sizeof(double));
+  return put(end, &result, sizeof result) && put(end, &count, sizeof count) &&
+         put(end, ticks.data(), count * sizeof(double));
 }
 
 // Of a process that ended before it had told all: not done.
@@ -222,7 +230,8 @@ CrowdRun hear(int end)
 }
 }  // namespace
 
-CrowdRun measureCrowd(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort, std::size_t ticks)
+CrowdRun measureCrowd(const CrowdPoint& point, const CrowdScene& crowd, std::size_t balls, const CrowdEffort& effort,
+                      std::size_t ticks)
 {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) throw std::runtime_error("no pipe");

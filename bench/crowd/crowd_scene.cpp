@@ -69,7 +69,8 @@ Soundness soundnessOf(const Scene& scene, const std::vector<BallState>& balls)
     const Vector3d p = balls[i].p_WB - room.pose.p;
     found.fastest = std::max(found.fastest, balls[i].v_WB.norm());
     found.energy += params.mass * (0.5 * balls[i].v_WB.squaredNorm() - scene.forces.gravity.dot(p));
-    const double beyond = std::max({std::abs(p.x()) - 0.5 * size.x(), std::abs(p.y()) - 0.5 * size.y(), -p.z(), p.z() - size.z()});
+    const double beyond =
+        std::max({std::abs(p.x()) - 0.5 * size.x(), std::abs(p.y()) - 0.5 * size.y(), -p.z(), p.z() - size.z()});
     if (!(beyond < 0.0))
       ++found.escaped;
     else

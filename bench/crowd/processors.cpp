@@ -38,7 +38,8 @@ std::vector<int> allowedProcessors()
 std::vector<pid_t> threads()
 {
   std::vector<pid_t> all;
-  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) all.push_back(std::stoi(task.path().filename()));
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task"))
+    all.push_back(std::stoi(task.path().filename()));
   std::sort(all.begin(), all.end());
   return all;
 }

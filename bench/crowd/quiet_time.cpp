@@ -22,7 +22,8 @@ void QuietTime::add(const std::vector<double>& ticks)
 double QuietTime::mostOf(std::size_t ticks) const
 {
   double most = 0.0;
-  for (auto part = least_.begin(); least_.end() - part >= static_cast<std::ptrdiff_t>(ticks); part += static_cast<std::ptrdiff_t>(ticks))
+  for (auto part = least_.begin(); least_.end() - part >= static_cast<std::ptrdiff_t>(ticks);
+       part += static_cast<std::ptrdiff_t>(ticks))
     most = std::max(most, std::accumulate(part, part + static_cast<std::ptrdiff_t>(ticks), 0.0));
   return most;
 }

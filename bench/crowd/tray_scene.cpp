@@ -8,13 +8,13 @@ namespace ping_pong::bench
 {
 namespace
 {
-constexpr double kPitch = 0.045;    // of the grid [m]
-constexpr double kJitter = 0.002;   // [m]
-constexpr double kSpeed = 1.0;      // along each axis at most [m/s]
-constexpr double kLowest = 0.1;     // [m]
+constexpr double kPitch = 0.045;   // of the grid [m]
+constexpr double kJitter = 0.002;  // [m]
+constexpr double kSpeed = 1.0;     // along each axis at most [m/s]
+constexpr double kLowest = 0.1;    // [m]
 constexpr std::size_t kLayers = 10;
-constexpr double kHeight = 1.5;     // of the walls [m]
-constexpr double kThickness = 0.02; // [m]
+constexpr double kHeight = 1.5;      // of the walls [m]
+constexpr double kThickness = 0.02;  // [m]
 constexpr std::uint64_t kSeed = 1;
 
 std::size_t ballsInARow(std::size_t balls)
@@ -73,7 +73,8 @@ Scene trayScene(std::size_t balls)
   const Vector3d jitter = Vector3d::Constant(kJitter), speed = Vector3d::Constant(kSpeed);
   for (std::size_t i = 0; i < balls; ++i)
   {
-    const Vector3d place(static_cast<double>(i % row), static_cast<double>(i / row % row), static_cast<double>(i / (row * row)));
+    const Vector3d place(static_cast<double>(i % row), static_cast<double>(i / row % row),
+                         static_cast<double>(i / (row * row)));
     SceneBall ball;
     ball.state.p_WB = first + kPitch * place + random.uniform(-jitter, jitter);
     ball.state.v_WB = random.uniform(-speed, speed);

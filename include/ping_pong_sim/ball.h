@@ -8,8 +8,8 @@ namespace ping_pong
 {
 struct BallParams
 {
-  double radius = kBallRadius;  ///< r [m]
-  double mass = kBallMass;      ///< m [kg]
+  double radius = kBallRadius;     ///< r [m]
+  double mass = kBallMass;         ///< m [kg]
   double inertia = kShellInertia;  ///< k = I / (m r^2): 2/3 thin shell, 2/5 solid
   Color color;
   MaterialId material = 0;

@@ -11,8 +11,8 @@ constexpr double kBallMass = 2.7e-3;   ///< m [kg], law 2.3.2
 constexpr double kShellInertia = 2.0 / 3.0;  ///< I / (m r^2) of a thin shell, as a ball of 40 mm with a wall of 0.4 mm
 constexpr double kSolidInertia = 2.0 / 5.0;  ///< I / (m r^2) of a solid sphere
 
-constexpr double kTableLength = 2.74;   ///< along x [m], law 2.1.1
-constexpr double kTableWidth = 1.525;   ///< along y [m]
-constexpr double kTableHeight = 0.76;   ///< playing surface above the floor [m]
-constexpr double kNetHeight = 0.1525;   ///< above the playing surface [m], law 2.2.3
+constexpr double kTableLength = 2.74;  ///< along x [m], law 2.1.1
+constexpr double kTableWidth = 1.525;  ///< along y [m]
+constexpr double kTableHeight = 0.76;  ///< playing surface above the floor [m]
+constexpr double kNetHeight = 0.1525;  ///< above the playing surface [m], law 2.2.3
 }  // namespace ping_pong

@@ -49,11 +49,11 @@ struct Forces
   bool drag = false;
   bool magnus = false;
   bool buoyancy = false;
-  bool added_mass = false;              ///< half of the displaced air moves with the ball
-  double spin_decay = 0.0;              ///< lambda: dw/dt = -lambda w [1/s]
-  Vector3d wind = Vector3d::Zero();     ///< velocity of the air [m/s]
-  double air_density = 1.2041;          ///< rho at 20 C, 101325 Pa [kg/m^3]
-  double air_viscosity = 1.516e-5;      ///< nu, kinematic, for the Reynolds number [m^2/s]
+  bool added_mass = false;           ///< half of the displaced air moves with the ball
+  double spin_decay = 0.0;           ///< lambda: dw/dt = -lambda w [1/s]
+  Vector3d wind = Vector3d::Zero();  ///< velocity of the air [m/s]
+  double air_density = 1.2041;       ///< rho at 20 C, 101325 Pa [kg/m^3]
+  double air_viscosity = 1.516e-5;   ///< nu, kinematic, for the Reynolds number [m^2/s]
   DragLaw drag_law;
   LiftLaw lift_law;
 
@@ -102,9 +102,9 @@ private:
 
   const Forces* forces_;
   double radius_;
-  Vector3d gravity_;   ///< with buoyancy and added mass [m/s^2]
-  double drag_;        ///< rho A / (2 m') [1/m]
-  double lift_;        ///< rho A r / (2 m')
-  bool spin_ratio_;    ///< a law depends on S
+  Vector3d gravity_;  ///< with buoyancy and added mass [m/s^2]
+  double drag_;       ///< rho A / (2 m') [1/m]
+  double lift_;       ///< rho A r / (2 m')
+  bool spin_ratio_;   ///< a law depends on S
 };
 }  // namespace ping_pong

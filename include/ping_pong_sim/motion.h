@@ -9,14 +9,14 @@ namespace ping_pong
 /// Rotation vector quadratic in time: pose, velocity and acceleration are exact derivatives of each other.
 struct BodyMotion
 {
-  double start = 0.0;                     ///< world time at s = 0 [s]
-  Pose pose;                              ///< X_WB at s = 0
-  Twist twist;                            ///< (v0, w0), expressed in W
-  Vector3d a_WB = Vector3d::Zero();       ///< [m/s^2]
-  Vector3d alpha_WB = Vector3d::Zero();   ///< second derivative of the rotation vector [rad/s^2]
+  double start = 0.0;                    ///< world time at s = 0 [s]
+  Pose pose;                             ///< X_WB at s = 0
+  Twist twist;                           ///< (v0, w0), expressed in W
+  Vector3d a_WB = Vector3d::Zero();      ///< [m/s^2]
+  Vector3d alpha_WB = Vector3d::Zero();  ///< second derivative of the rotation vector [rad/s^2]
 
-  bool still() const;        ///< does not move at all
-  bool turning() const;      ///< any rotation
+  bool still() const;    ///< does not move at all
+  bool turning() const;  ///< any rotation
   Pose poseAt(double s) const;
   Twist twistAt(double s) const;
 };

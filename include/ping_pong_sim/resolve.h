@@ -20,6 +20,6 @@ Vector3d bounce(const Surface& law, const BallParams& ball, BallState& state, co
 /// @param n_W  unit normal, from ball 2 to ball 1
 /// @param speed  normal speed of separation after it, by the law e times the closing speed [m/s]
 /// @return     impulse on ball 1 [N s]
-Vector3d part(const Surface& law, double speed, const BallParams& ball1, BallState& state1,
-              const BallParams& ball2, BallState& state2, const Vector3d& n_W);
+Vector3d part(const Surface& law, double speed, const BallParams& ball1, BallState& state1, const BallParams& ball2,
+              BallState& state2, const Vector3d& n_W);
 }  // namespace ping_pong

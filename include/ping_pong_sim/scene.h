@@ -87,8 +87,9 @@ struct Scene
   std::vector<Body> bodies;  ///< the floor, if any, is the static body "floor" with one HalfSpace
   std::vector<SceneBall> balls;
   Method method = Method::Auto;
-  double dt = 1e-3;         ///< longest step of all methods but `exact`, which steps piles with it, at most 2 ms [s]
-  double tolerance = 1e-6;  ///< of `exact` where the path has no closed form: position error over a rally of about a second [m]
+  double dt = 1e-3;  ///< longest step of all methods but `exact`, which steps piles with it, at most 2 ms [s]
+  double tolerance =
+      1e-6;  ///< of `exact` where the path has no closed form: position error over a rally of about a second [m]
   std::size_t threads = 1;  ///< that share the work on a crowd; the result is the same for any number
 };
 

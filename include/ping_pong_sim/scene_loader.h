@@ -24,9 +24,9 @@ constexpr std::size_t kMaxThreads = 64;  ///< that may share a scene
 
 struct LoadOptions
 {
-  std::uint64_t seed = 0;   ///< of the scene's random patterns
-  bool has_seed = false;    ///< false: the scene's own
-  std::size_t balls = 0;    ///< of the scene's one random pattern, up to kMaxBalls; 0: the scene's own
+  std::uint64_t seed = 0;  ///< of the scene's random patterns
+  bool has_seed = false;   ///< false: the scene's own
+  std::size_t balls = 0;   ///< of the scene's one random pattern, up to kMaxBalls; 0: the scene's own
 };
 
 /// Reads and checks a scene. URDF paths are relative to the scene file. Throws LoadError.

@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 /// Where a frame B is in a frame A: p_AB and the rotation that takes vectors in B to vectors in A.
 struct Pose
 {
-  Vector3d p = Vector3d::Zero();                   ///< p_AB [m]
-  Quaterniond q = Quaterniond::Identity();         ///< rotation B -> A, unit length
+  Vector3d p = Vector3d::Zero();            ///< p_AB [m]
+  Quaterniond q = Quaterniond::Identity();  ///< rotation B -> A, unit length
 
   /// A point Q given in A, as it is in B [m].
   Vector3d toB(const Vector3d& p_AQ) const { return q.conjugate() * (p_AQ - p); }

@@ -14,10 +14,10 @@ namespace ping_pong
 /// Sums over all balls. Potential energy is zero at the world's origin.
 struct Totals
 {
-  double kinetic = 0.0;                          ///< translation [J]
-  double rotational = 0.0;                       ///< spin, I = k m r^2 [J]
-  double potential = 0.0;                        ///< -m g.p [J]
-  Vector3d momentum = Vector3d::Zero();          ///< [kg m/s]
+  double kinetic = 0.0;                  ///< translation [J]
+  double rotational = 0.0;               ///< spin, I = k m r^2 [J]
+  double potential = 0.0;                ///< -m g.p [J]
+  Vector3d momentum = Vector3d::Zero();  ///< [kg m/s]
   double energy() const { return kinetic + rotational + potential; }
 };
 
@@ -32,7 +32,8 @@ class World
 {
 public:
   explicit World(Scene scene);
-  explicit World(std::shared_ptr<const Scene> scene);  ///< not null. The same without a copy: balls of a scene take 160 B each
+  explicit World(
+      std::shared_ptr<const Scene> scene);  ///< not null. The same without a copy: balls of a scene take 160 B each
   ~World();
   /// A copy goes on with the same bits as its model, and neither feels what is done to the other. All that a world has is
   /// copied, contacts() of the last tick and keepContacts() included; the scene is shared, since it does not change. Threads
@@ -52,20 +53,21 @@ public:
   /// long the tick.
   StepStatus advance(double duration);
 
-  double time() const;                                  ///< since the start or reset [s]
-  const Scene& scene() const;                           ///< as loaded; reset() returns to it
-  Method method() const;                                ///< in use: the scene's, or what its Auto came to
-  const std::vector<Contact>& contacts() const;         ///< of the last advance(), in order of time
+  double time() const;                           ///< since the start or reset [s]
+  const Scene& scene() const;                    ///< as loaded; reset() returns to it
+  Method method() const;                         ///< in use: the scene's, or what its Auto came to
+  const std::vector<Contact>& contacts() const;  ///< of the last advance(), in order of time
   /// Whether contacts() lists them; it does by default. Without, StepStatus still counts them, and a bounce costs less.
   void keepContacts(bool keep);
 
   std::size_t ballCount() const;
   BallId ballId(std::size_t index) const;
-  std::size_t findBall(BallId id) const;                ///< index, or kNone
+  std::size_t findBall(BallId id) const;  ///< index, or kNone
   const BallParams& ballParams(std::size_t index) const;
-  BallState ballState(std::size_t index) const;         ///< at time()
-  bool resting(std::size_t index) const;                ///< lies still on something, exactly
-  double restingSince(std::size_t index) const;         ///< world time at which it stopped bouncing, lying or rolling [s]; NaN while it flies
+  BallState ballState(std::size_t index) const;  ///< at time()
+  bool resting(std::size_t index) const;         ///< lies still on something, exactly
+  double restingSince(
+      std::size_t index) const;  ///< world time at which it stopped bouncing, lying or rolling [s]; NaN while it flies
 
   std::size_t bodyCount() const;
   std::size_t findBody(const std::string& name) const;  ///< index, or kNone

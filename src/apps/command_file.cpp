@@ -91,7 +91,10 @@ public:
     return q.normalized();
   }
 
-  [[noreturn]] void fail(std::size_t column, const std::string& expected) const { failWith(column, text(column), expected); }
+  [[noreturn]] void fail(std::size_t column, const std::string& expected) const
+  {
+    failWith(column, text(column), expected);
+  }
   [[noreturn]] void failWith(std::size_t column, const std::string& value, const std::string& expected) const
   {
     failLoad(at_, columnName(column), value, expected);
@@ -121,7 +124,8 @@ std::size_t readBody(const Row& row, const std::vector<Body>& bodies)
     if (bodies[i].kind == BodyKind::Kinematic) return i;
     row.fail(kBody, "a kinematic body; this one is static");
   }
-  row.fail(kBody, paddles.empty() ? "a scene with a kinematic body" : "a kinematic body of the scene: " + joined(paddles));
+  row.fail(kBody,
+           paddles.empty() ? "a scene with a kinematic body" : "a kinematic body of the scene: " + joined(paddles));
 }
 
 PaddleCommand::Mode readMode(const Row& row)

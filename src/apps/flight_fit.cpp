@@ -12,8 +12,8 @@ namespace
 using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1>;
 using Jacobian = Eigen::MatrixXd;
 
-constexpr double kSpinUnit = 100.0;  // [rad/s]; so that all unknowns have about the same weight
-constexpr double kDifference = 1e-4; // for derivatives
+constexpr double kSpinUnit = 100.0;   // [rad/s]; so that all unknowns have about the same weight
+constexpr double kDifference = 1e-4;  // for derivatives
 constexpr int kMostSteps = 60;
 constexpr double kTolerance = 1e-7;  // of the forward model [m]
 
@@ -30,7 +30,7 @@ class Problem
 {
 public:
   Problem(const Flight& flight, std::size_t samples, const FlightChoice& model)
-    : flight_(flight), samples_(samples), scene_(tableScene(model.forces, model.table, kTolerance))
+      : flight_(flight), samples_(samples), scene_(tableScene(model.forces, model.table, kTolerance))
   {
   }
 

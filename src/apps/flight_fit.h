@@ -9,8 +9,8 @@ namespace ping_pong
 struct FlightFit
 {
   BallState start;
-  double misfit = 0.0;               ///< rms per coordinate [m]
-  std::vector<Vector3d> residuals;   ///< measured - model [m]
+  double misfit = 0.0;              ///< rms per coordinate [m]
+  std::vector<Vector3d> residuals;  ///< measured - model [m]
 };
 
 /// Levenberg and Marquardt's method on position, velocity and, if asked, spin at the first sample (Nocedal and Wright,

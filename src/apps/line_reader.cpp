@@ -37,7 +37,8 @@ bool LineReader::next(std::string& line)
   if (file_.eof() && file_.gcount() == 0) return false;
   at_.line = ++count_;
   if (file_.bad()) failLoad(at_, key_, "not readable", "a regular file that can be read");
-  if (file_.fail()) failLoad(at_, key_, "a longer line", "at most " + std::to_string(kMaxLineSize - 1) + " bytes in a line");
+  if (file_.fail())
+    failLoad(at_, key_, "a longer line", "at most " + std::to_string(kMaxLineSize - 1) + " bytes in a line");
   if (count_ > kMaxLines) failLoad(at_, key_, "more lines", "at most " + std::to_string(kMaxLines) + " lines");
   line.assign(text, static_cast<std::size_t>(file_.gcount()) - (file_.eof() ? 0 : 1));
   if (!line.empty() && line.back() == '\r') line.pop_back();

@@ -30,7 +30,8 @@ std::vector<Row> readRows(const std::string& path, std::size_t columns)
       else if (letter != '\r')
         row.back() += letter;
     }
-    if (row.size() != columns) throw DataError(path + ": " + line + ": expected " + std::to_string(columns) + " columns");
+    if (row.size() != columns)
+      throw DataError(path + ": " + line + ": expected " + std::to_string(columns) + " columns");
     if (!headline) rows.push_back(row);
     headline = false;
   }

@@ -20,11 +20,11 @@ public:
 struct Flight
 {
   std::string name;
-  bool no_spin = false;            ///< the launcher's wheels ran alike
-  double bounce = -1.0;            ///< time of the bounce [s]; negative: none
-  double noise = 0.0;              ///< rms per coordinate [m]
-  std::vector<double> times;       ///< [s], the first is 0
-  std::vector<Vector3d> positions; ///< [m]
+  bool no_spin = false;             ///< the launcher's wheels ran alike
+  double bounce = -1.0;             ///< time of the bounce [s]; negative: none
+  double noise = 0.0;               ///< rms per coordinate [m]
+  std::vector<double> times;        ///< [s], the first is 0
+  std::vector<Vector3d> positions;  ///< [m]
 };
 
 /// One rebound from a racket at rest with normal +z.

@@ -47,7 +47,8 @@ void writeRubber(const std::vector<Rebound>& measured, const std::vector<RubberS
   for (const char* head : {"law", "what", "speed_rms", "spin_rms"}) table.text(head);
   table.endRow();
   CsvFile rows(out + "/rubber_rows.csv");
-  for (const char* head : {"law", "row", "vx", "vz", "wy", "vx_measured", "vz_measured", "wy_measured"}) rows.text(head);
+  for (const char* head : {"law", "row", "vx", "vz", "wy", "vx_measured", "vz_measured", "wy_measured"})
+    rows.text(head);
   rows.endRow();
   for (const RubberScore& score : scores)
   {

@@ -80,10 +80,13 @@ Scene tableScene(const Forces& forces, const Surface& table, double tolerance)
 std::vector<FlightChoice> flightChoices()
 {
   const Surface table = defaultTable(), nakashima = surfaceWith(0.93, 0.0, 0.25, 0.0);
-  Forces no_magnus = defaultForces(), no_drag = defaultForces(), vacuum = defaultForces(), no_buoyancy = defaultForces();
+  Forces no_magnus = defaultForces(), no_drag = defaultForces(), vacuum = defaultForces(),
+         no_buoyancy = defaultForces();
   no_magnus.magnus = no_drag.drag = vacuum.magnus = vacuum.drag = vacuum.buoyancy = no_buoyancy.buoyancy = false;
   return {
-      {"default", "C_D .33 without spin to .53, C_L = .333 * 7.3 S/(1 + 7.3 S), buoyancy; table e = .99 - .02 v_n, mu .24, e_t .15",
+      {"default",
+       "C_D .33 without spin to .53, C_L = .333 * 7.3 S/(1 + 7.3 S), buoyancy; table e = .99 - .02 v_n, mu .24, e_t "
+       ".15",
        defaultForces(), table},
       {"no buoyancy", "default without buoyancy", no_buoyancy, table},
       {"complete", "default and added mass, spin decay .15 /s", completeForces(), table},
@@ -92,8 +95,10 @@ std::vector<FlightChoice> flightChoices()
       {"vacuum", "gravity alone", vacuum, table},
       {"no friction", "default, smooth table", defaultForces(), withoutFriction(table)},
       {"e .905", "default, table e = .905 (the rule's drop test), mu .25", defaultForces(), lawOf("table_ittf")},
-      {"rigid table", "default, table e = .98 - .02 v_n, mu .24: the fit to another table", defaultForces(), lawOf("table_rigid")},
-      {"its own table", "default, table e = 1 - .02 v_n, mu .24, e_t .15", defaultForces(), surfaceWith(1.0, 0.02, 0.24, 0.15)},
+      {"rigid table", "default, table e = .98 - .02 v_n, mu .24: the fit to another table", defaultForces(),
+       lawOf("table_rigid")},
+      {"its own table", "default, table e = 1 - .02 v_n, mu .24, e_t .15", defaultForces(),
+       surfaceWith(1.0, 0.02, 0.24, 0.15)},
       {"constant drag", "C_D .53 at any spin, lift as the default", airOf("table_rally_constant_drag"), table},
       {"S/(1+2S)", "C_D .44, C_L = S/(1 + 2 S)", airOf("half_saturating"), table},
       {"Tebbe", "C_D .40, C_L = .6 S; table e .93, mu .25", airOf("tebbe"), nakashima},

@@ -10,8 +10,8 @@ namespace ping_pong
 {
 struct FlightChoice
 {
-  std::string name;   ///< short, for tables and plots
-  std::string what;   ///< one line
+  std::string name;  ///< short, for tables and plots
+  std::string what;  ///< one line
   Forces forces;
   Surface table;
 };

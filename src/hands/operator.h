@@ -73,10 +73,10 @@ private:
   Listener listener_;
   HandsState state_;
   HandsState told_;
-  double told_at_ = 0.0;     ///< wallSeconds()
-  double note_until_ = 0.0;  ///< wallSeconds()
+  double told_at_ = 0.0;        ///< wallSeconds()
+  double note_until_ = 0.0;     ///< wallSeconds()
   bool awaits_paddle_ = false;  ///< keys changed and no state has shown it yet
-  bool troubled_ = false;    ///< the simulator was away in the last tick
+  bool troubled_ = false;       ///< the simulator was away in the last tick
   ros::Publisher hands_;
   ros::Subscriber others_;
   ros::Subscriber paddles_;

@@ -7,9 +7,9 @@
 #include <optional>
 #include <sstream>
 
-#include "soft_shadow.h"
 #include "conversions.h"
 #include "ping_pong_sim/room.h"
+#include "soft_shadow.h"
 
 namespace ping_pong_sim
 {
@@ -110,7 +110,8 @@ Marker roomPicture(const std::string& frame, const ping_pong::Vector3d& size)
   room.frame_locked = true;
   setScale(room, kEdgeWidth, 0.0, 0.0);
   setColor(room, 0.62f, 0.80f, 0.92f, 1.0f);
-  const auto corner = [&](int bits) {
+  const auto corner = [&](int bits)
+  {
     return toPoint({(bits & 1 ? 0.5 : -0.5) * size.x(), (bits & 2 ? 0.5 : -0.5) * size.y(), bits & 4 ? size.z() : 0.0});
   };
   for (int from = 0; from < 8; ++from)

@@ -147,8 +147,8 @@ NodeParams readParams(const ros::NodeHandle& private_nh)
       reader.number("command_timeout", p.command_timeout, isTimeout, "a time above 0 [s] (.inf: never)");
   p.paused = reader.flag("paused", p.paused);
   p.rewind_clock = reader.flag("rewind_clock", p.rewind_clock);
-  p.compact_above = static_cast<std::size_t>(reader.number("compact_above", static_cast<double>(p.compact_above), isBallCount,
-                                                           "a whole number from 0 to 100000"));
+  p.compact_above = static_cast<std::size_t>(reader.number("compact_above", static_cast<double>(p.compact_above),
+                                                           isBallCount, "a whole number from 0 to 100000"));
   p.contact_rate = reader.number("contact_rate", p.contact_rate, isContactRate, "a rate from 1 to 1000000 [1/s]");
   p.load = readLoad(reader);
   p.method = reader.text("method", p.method);

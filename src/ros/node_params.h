@@ -15,21 +15,21 @@ constexpr char kMethodOfScene[] = "scene";  ///< value of ~method that leaves th
 
 struct NodeParams
 {
-  std::string scene;              ///< path, or name in scene_directory
-  std::string scene_directory;    ///< where scenes are looked up by name
-  double real_time_factor = 1.0;  ///< simulated per wall second, >= 0; 0: as fast as possible
-  double publish_rate = 100.0;    ///< ticks per simulated second [1/s]
-  double clock_rate = 100.0;      ///< of /clock, per wall second, at most [1/s]
-  double marker_rate = 30.0;      ///< of `markers`, per wall second, at most [1/s]
-  double command_timeout = 0.5;   ///< in simulated time [s]
-  bool paused = false;            ///< at the start
-  bool rewind_clock = false;      ///< ~reset also sets the clock back
+  std::string scene;                ///< path, or name in scene_directory
+  std::string scene_directory;      ///< where scenes are looked up by name
+  double real_time_factor = 1.0;    ///< simulated per wall second, >= 0; 0: as fast as possible
+  double publish_rate = 100.0;      ///< ticks per simulated second [1/s]
+  double clock_rate = 100.0;        ///< of /clock, per wall second, at most [1/s]
+  double marker_rate = 30.0;        ///< of `markers`, per wall second, at most [1/s]
+  double command_timeout = 0.5;     ///< in simulated time [s]
+  bool paused = false;              ///< at the start
+  bool rewind_clock = false;        ///< ~reset also sets the clock back
   std::size_t compact_above = 200;  ///< more balls than this are a crowd
-  double contact_rate = 10000.0;   ///< of `contacts`, per wall second, at most [1/s]
-  ping_pong::LoadOptions load;     ///< of the scene that the node starts with: number and seed of balls
+  double contact_rate = 10000.0;    ///< of `contacts`, per wall second, at most [1/s]
+  ping_pong::LoadOptions load;      ///< of the scene that the node starts with: number and seed of balls
   std::string method = kMethodOfScene;
-  double dt = 0.0;         ///< [s]; 0: the scene's
-  double tolerance = 0.0;  ///< [m]; 0: the scene's
+  double dt = 0.0;          ///< [s]; 0: the scene's
+  double tolerance = 0.0;   ///< [m]; 0: the scene's
   std::size_t threads = 0;  ///< 0: the scene's
   FeedParams feed;
   Props props = defaultProps();  ///< at the start

@@ -29,14 +29,15 @@ struct Counters
   ping_pong::StepStatus last;       ///< of the last tick
 };
 
-constexpr std::size_t kNamedBalls = 50;  ///< of a crowd: those that have a frame. More balls than this are drawn as a list
+constexpr std::size_t kNamedBalls =
+    50;  ///< of a crowd: those that have a frame. More balls than this are drawn as a list
 
 class Simulation
 {
 public:
   /// @param command_nh  its callback queue is served by the thread of commands
-  Simulation(const NodeParams& params, ping_pong::Scene scene, ros::NodeHandle& command_nh,
-             Rejections& rejections, const ros::Time& start);
+  Simulation(const NodeParams& params, ping_pong::Scene scene, ros::NodeHandle& command_nh, Rejections& rejections,
+             const ros::Time& start);
 
   /// Replaces the world; if that throws, nothing was changed.
   void load(ping_pong::Scene scene);
@@ -59,7 +60,10 @@ public:
   /// More balls than are drawn one by one: RViz draws ten thousand spheres of a list, but hardly a thousand single ones.
   bool isDrawnAsList() const { return world_->ballCount() > std::min(params_.compact_above, kNamedBalls); }
   /// Balls that have a frame and can be selected: all, or the first few of a crowd.
-  std::size_t ballsByName() const { return isCrowd() ? std::min(world_->ballCount(), kNamedBalls) : world_->ballCount(); }
+  std::size_t ballsByName() const
+  {
+    return isCrowd() ? std::min(world_->ballCount(), kNamedBalls) : world_->ballCount();
+  }
   Props& props() { return props_; }
   const Props& props() const { return props_; }
   /// Simulated time since the node started; never goes back [s].

@@ -6,8 +6,8 @@ namespace ping_pong_sim
 {
 namespace
 {
-constexpr double kBallsRate = 10.0;            // of `balls` in a crowd, per wall second [1/s]
-constexpr double kBallsPerSecond = 300000.0;   // on `crowd`, per wall second
+constexpr double kBallsRate = 10.0;           // of `balls` in a crowd, per wall second [1/s]
+constexpr double kBallsPerSecond = 300000.0;  // on `crowd`, per wall second
 }  // namespace
 
 StatePublisher::StatePublisher(ros::NodeHandle& nh, const NodeParams& params, const Simulation& simulation,

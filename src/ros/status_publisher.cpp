@@ -31,8 +31,7 @@ void fillNames(const Simulation& simulation, SimStatus& message)
 }  // namespace
 
 StatusPublisher::StatusPublisher(ros::NodeHandle& nh, const NodeParams& params, const Simulation& simulation,
-                                 const Rejections& rejections, const StatePublisher& states,
-                                 const bool& paused)
+                                 const Rejections& rejections, const StatePublisher& states, const bool& paused)
     : params_(params),
       simulation_(simulation),
       rejections_(rejections),

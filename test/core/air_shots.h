@@ -47,9 +47,8 @@ inline AirReference referenceOf(const Forces& forces)
   reference.added_mass = forces.added_mass;
   const DragLaw drag = forces.drag_law;
   if (forces.drag)
-    reference.C_D = [drag](Real S) {
-      return drag.with_spin - (drag.with_spin - drag.without_spin) / (1.0L + S * S / drag.half_at / drag.half_at);
-    };
+    reference.C_D = [drag](Real S)
+    { return drag.with_spin - (drag.with_spin - drag.without_spin) / (1.0L + S * S / drag.half_at / drag.half_at); };
   const LiftLaw law = forces.lift_law;
   if (forces.magnus && law.kind == LiftLaw::Kind::Linear) reference.C_L = [law](Real S) { return law.slope * S; };
   if (forces.magnus && law.kind == LiftLaw::Kind::Constant) reference.C_L = [law](Real) { return law.constant; };

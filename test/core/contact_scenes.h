@@ -88,10 +88,14 @@ inline Scene grooveScene(double half, const Vector3d& gravity, const Surface& la
   return scene;
 }
 
-inline double rimSpeed(const World& world, int axis, std::size_t ball = 0) { return kR * world.ballState(ball).w_WB[axis]; }
+inline double rimSpeed(const World& world, int axis, std::size_t ball = 0)
+{
+  return kR * world.ballState(ball).w_WB[axis];
+}
 
 /// Slip over a surface with normal n whose touched point moves with u.
-inline double slipSpeed(const World& world, const Vector3d& n, const Vector3d& u = Vector3d::Zero(), std::size_t ball = 0)
+inline double slipSpeed(const World& world, const Vector3d& n, const Vector3d& u = Vector3d::Zero(),
+                        std::size_t ball = 0)
 {
   const BallState state = world.ballState(ball);
   const Vector3d slip = state.v_WB - kR * state.w_WB.cross(n) - u;

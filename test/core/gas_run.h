@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "base/random.h"
 #include "detect/broad_phase.h"
 #include "ping_pong_sim/room.h"
-#include "base/random.h"
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -15,9 +15,9 @@ namespace ping_pong
 struct GasKind
 {
   int balls = 500;
-  double fill = 0.02;       ///< volume of the balls / volume of the cube
-  double deviation = 1.0;   ///< of each component of the velocities at the start [m/s]; 0: all equally fast, 3^(1/2) m/s
-  double heavy = 1.0;       ///< mass of every second ball / mass of the others
+  double fill = 0.02;      ///< volume of the balls / volume of the cube
+  double deviation = 1.0;  ///< of each component of the velocities at the start [m/s]; 0: all equally fast, 3^(1/2) m/s
+  double heavy = 1.0;      ///< mass of every second ball / mass of the others
   std::uint64_t seed = 1;
 };
 
@@ -68,15 +68,16 @@ inline double deepestOverlap(const World& world, double edge)
   {
     const Vector3d p = positionOf(world, i);
     boxes.emplace_back(Box{p.array() - kR, p.array() + kR});
-    deepest = std::max({deepest, kR + std::abs(p.x()) - 0.5 * edge, kR + std::abs(p.y()) - 0.5 * edge, kR - p.z(),
-                        kR + p.z() - edge});
+    deepest = std::max(
+        {deepest, kR + std::abs(p.x()) - 0.5 * edge, kR + std::abs(p.y()) - 0.5 * edge, kR - p.z(), kR + p.z() - edge});
   }
   Workers alone;
   BroadPhase broad_phase;
-  broad_phase.build(boxes.size(), [&](std::size_t i) { return boxes[i]; }, alone);
-  broad_phase.eachPair([&](std::uint32_t a, std::uint32_t b) {
-    deepest = std::max(deepest, 2.0 * kR - (positionOf(world, a) - positionOf(world, b)).norm());
-  });
+  broad_phase.build(
+      boxes.size(), [&](std::size_t i) { return boxes[i]; }, alone);
+  broad_phase.eachPair(
+      [&](std::uint32_t a, std::uint32_t b)
+      { deepest = std::max(deepest, 2.0 * kR - (positionOf(world, a) - positionOf(world, b)).norm()); });
   return deepest;
 }
 

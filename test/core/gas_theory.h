@@ -8,16 +8,16 @@ namespace ping_pong
 /// Per mass: the temperature `t` is the variance of a velocity component [m^2/s^2], pressures and forces are per mass of a ball.
 struct GasTheory
 {
-  double balls = 0.0;      ///< N
-  double diameter = 0.0;   ///< d [m]
-  double edge = 0.0;       ///< L, of the cube [m]
-  double density = 0.0;    ///< n, of balls far from the walls [1/m^3]
-  double fill = 0.0;       ///< eta = pi n d^3 / 6
+  double balls = 0.0;     ///< N
+  double diameter = 0.0;  ///< d [m]
+  double edge = 0.0;      ///< L, of the cube [m]
+  double density = 0.0;   ///< n, of balls far from the walls [1/m^3]
+  double fill = 0.0;      ///< eta = pi n d^3 / 6
 
   /// Density in the middle: near walls balls are excluded from a layer of d/2 and gathered beyond it; scaled-particle theory
   /// gives N = n ((L - d)^3 + 6 (L - d)^2 (d/2) 3 eta / (1 + 2 eta)).
   GasTheory(double its_balls, double its_diameter, double its_edge)
-    : balls(its_balls), diameter(its_diameter), edge(its_edge)
+      : balls(its_balls), diameter(its_diameter), edge(its_edge)
   {
     const double inner = edge - diameter;
     for (int i = 0; i < 100; ++i)

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ping_pong_sim/motion.h"
 #include "evolve/segment.h"
+#include "ping_pong_sim/motion.h"
 #include "ping_pong_sim/shape.h"
 
 namespace ping_pong

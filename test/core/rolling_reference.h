@@ -33,7 +33,8 @@ struct RollingReference
 
   Real k = 2.0L / 3.0L;
   Vector3r gravity = Vector3r(0, 0, -9.81L);
-  bool holds_spin = false;  ///< a torque about the normal keeps n.s zero, as it is at the start; for surfaces that do not turn
+  bool holds_spin =
+      false;  ///< a torque about the normal keeps n.s zero, as it is at the start; for surfaces that do not turn
   std::function<Ground(Real t, const Vector3r& p, const Vector3r& v)> ground;
 
   Vector3r velocity(Real t, const State& at) const
@@ -81,5 +82,8 @@ inline RollingReference::State rollingState(const BallState& state, double radiu
   return {state.p_WB.cast<Real>(), (radius * state.w_WB).cast<Real>()};
 }
 
-inline double distance(const Vector3d& a, const Vector3r& b) { return static_cast<double>((a.cast<Real>() - b).norm()); }
+inline double distance(const Vector3d& a, const Vector3r& b)
+{
+  return static_cast<double>((a.cast<Real>() - b).norm());
+}
 }  // namespace ping_pong

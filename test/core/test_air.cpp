@@ -1,5 +1,6 @@
 // Flight through air: closed forms, and agreement with an independent integration in long double.
 #include <gtest/gtest.h>
+
 #include <random>
 
 #include "air_shots.h"
@@ -68,7 +69,7 @@ TEST(Air, ABallFallsNoFasterThanItsTerminalSpeed)
   Forces forces = onlyDrag(0.44);
   forces.gravity = Vector3d(0, 0, -kG);
   const double v_t = std::sqrt(2.0 * kBallMass * kG / (kRho * kArea * 0.44));
-  EXPECT_NEAR(v_t, 8.92, 0.01);  // from the literature's numbers for this ball
+  EXPECT_NEAR(v_t, 8.92, 0.01);           // from the literature's numbers for this ball
   for (const double start : {0.0, 40.0})  // from below and from above
   {
     World world(inAir(forces, {0, 0, 1000}, {0, 0, -start}));
@@ -133,8 +134,8 @@ TEST(Air, WindIsAMovingFrame)
 
 TEST(Air, BuoyancyAndAddedMassAreTwoConstants)
 {
-  const double lifted = 1.0 - kRho * kVolume / kBallMass;            // 1.49 % of the weight
-  const double heavier = 1.0 + 0.5 * kRho * kVolume / kBallMass;     // 0.75 % of the mass
+  const double lifted = 1.0 - kRho * kVolume / kBallMass;         // 1.49 % of the weight
+  const double heavier = 1.0 + 0.5 * kRho * kVolume / kBallMass;  // 0.75 % of the mass
   for (const bool buoyancy : {false, true})
     for (const bool added_mass : {false, true})
     {

@@ -44,7 +44,9 @@ Segment flight(Draw& draw, const Vector3d& p, const Vector3d& v)
 Shape drawnShape(Draw& draw, int n)
 {
   const Vector3d size(draw.from(0.01, 1.0), draw.from(0.01, 1.0), draw.from(0.01, 0.3));
-  const Shape shape = n % 3 == 0 ? boxShape(size) : n % 3 == 1 ? cylinderShape(0.5 * size.x(), size.z()) : sphereShape(0.5 * size.x());
+  const Shape shape = n % 3 == 0   ? boxShape(size)
+                      : n % 3 == 1 ? cylinderShape(0.5 * size.x(), size.z())
+                                   : sphereShape(0.5 * size.x());
   const Vector3d axis = draw.vector(1.0);
   // Every other box lies level, as tables do.
   return placed(shape, at(draw.vector(0.6), n % 2 == 0 ? 0.0 : draw.from(0.0, 3.0), axis));

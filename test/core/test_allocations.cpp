@@ -158,7 +158,10 @@ Scene ballOnATurningCylinder()
 {
   const Quaterniond lying(Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitX()));
   SceneBuilder builder;
-  builder.gravity(kG).floor(-0.5).paddle("cylinder", cylinderShape(0.1, 2), {Vector3d::Zero(), lying}).ball({0, 0, 0.1 + kR}, {0.1, 0.2, 0});
+  builder.gravity(kG)
+      .floor(-0.5)
+      .paddle("cylinder", cylinderShape(0.1, 2), {Vector3d::Zero(), lying})
+      .ball({0, 0, 0.1 + kR}, {0.1, 0.2, 0});
   Scene scene = builder.build();
   makeRough(scene);
   scene.bodies.back().twist.w = {0, 2.0, 0};
@@ -174,8 +177,12 @@ Scene ballInAGrooveInAir()
 {
   SceneBuilder builder;
   builder.gravity(Vector3d(0, 1, -kG));
-  builder.box("left", {1, 20, 0.1}, at({-0.5 * std::sqrt(0.5) - 0.05 * std::sqrt(0.5), 0, 0.5 * std::sqrt(0.5) - 0.05 * std::sqrt(0.5)}, 0.25 * kPi, {0, 1, 0}));
-  builder.box("right", {1, 20, 0.1}, at({0.5 * std::sqrt(0.5) + 0.05 * std::sqrt(0.5), 0, 0.5 * std::sqrt(0.5) - 0.05 * std::sqrt(0.5)}, -0.25 * kPi, {0, 1, 0}));
+  builder.box("left", {1, 20, 0.1},
+              at({-0.5 * std::sqrt(0.5) - 0.05 * std::sqrt(0.5), 0, 0.5 * std::sqrt(0.5) - 0.05 * std::sqrt(0.5)},
+                 0.25 * kPi, {0, 1, 0}));
+  builder.box("right", {1, 20, 0.1},
+              at({0.5 * std::sqrt(0.5) + 0.05 * std::sqrt(0.5), 0, 0.5 * std::sqrt(0.5) - 0.05 * std::sqrt(0.5)},
+                 -0.25 * kPi, {0, 1, 0}));
   builder.ball({0, 0, kR * std::sqrt(2.0)}, {0, 0.5, 0});
   Scene scene = builder.build();
   makeRough(scene);

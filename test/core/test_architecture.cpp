@@ -17,8 +17,8 @@ const fs::path kSource = SOURCE_DIR;
 const fs::path kCore = kSource / "src" / "core";
 
 // Bottom to top: a room includes only itself, those before it, and the public headers.
-const std::vector<std::string> kRooms = {"base",    "geometry", "evolve", "resolve", "detect",  "paddle",  "scene",
-                                         "state",   "resting",  "solver", "events",  "windows", "methods", "world"};
+const std::vector<std::string> kRooms = {"base",  "geometry", "evolve", "resolve", "detect",  "paddle",  "scene",
+                                         "state", "resting",  "solver", "events",  "windows", "methods", "world"};
 
 std::vector<fs::path> sourcesIn(const fs::path& folder)
 {
@@ -49,14 +49,20 @@ std::vector<std::string> includesOf(const fs::path& file)
   return includes;
 }
 
-bool startsWith(const std::string& text, const std::string& beginning) { return text.compare(0, beginning.size(), beginning) == 0; }
+bool startsWith(const std::string& text, const std::string& beginning)
+{
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
 
 std::size_t levelOf(const std::string& room)
 {
   return static_cast<std::size_t>(std::find(kRooms.begin(), kRooms.end(), room) - kRooms.begin());
 }
 
-std::string roomOf(const fs::path& file) { return fs::relative(file, kCore).begin()->string(); }
+std::string roomOf(const fs::path& file)
+{
+  return fs::relative(file, kCore).begin()->string();
+}
 
 TEST(Architecture, EverySourceOfTheCoreIsInARoom)
 {
@@ -88,7 +94,8 @@ TEST(Architecture, OnlyTheSceneReadsFiles)
 
 TEST(Architecture, PhysicsKnowsNoRos)
 {
-  const std::vector<std::string> kRos = {"ros/", "tf2", "rviz/", "geometry_msgs/", "visualization_msgs/", "ping_pong_sim/Ball", "std_msgs/"};
+  const std::vector<std::string> kRos = {
+      "ros/", "tf2", "rviz/", "geometry_msgs/", "visualization_msgs/", "ping_pong_sim/Ball", "std_msgs/"};
   for (const fs::path& folder : {kCore, kSource / "include", kSource / "src" / "apps", kSource / "bench"})
     for (const fs::path& file : sourcesIn(folder))
       for (const std::string& include : includesOf(file))
@@ -98,7 +105,8 @@ TEST(Architecture, PhysicsKnowsNoRos)
 TEST(Architecture, PublicHeadersNeedNoneOfTheCore)
 {
   for (const fs::path& file : sourcesIn(kSource / "include"))
-    for (const std::string& include : includesOf(file)) EXPECT_FALSE(fs::exists(kCore / include)) << file << " includes " << include;
+    for (const std::string& include : includesOf(file))
+      EXPECT_FALSE(fs::exists(kCore / include)) << file << " includes " << include;
 }
 
 TEST(Architecture, EveryHeaderBeginsWithItsPurposeAndIsShort)

@@ -5,14 +5,15 @@
 #include <limits>
 #include <set>
 
-#include "solver/contact_batches.h"
 #include "base/random.h"
+#include "solver/contact_batches.h"
 
 namespace ping_pong
 {
 namespace
 {
-std::vector<TouchBatch> placedIn(const std::vector<std::array<std::uint32_t, 2>>& touches, std::set<std::uint32_t>& places)
+std::vector<TouchBatch> placedIn(const std::vector<std::array<std::uint32_t, 2>>& touches,
+                                 std::set<std::uint32_t>& places)
 {
   std::vector<TouchBatch> batches;
   OpenBatches open;
@@ -52,7 +53,8 @@ TEST(Batches, NoBallIsTwiceInOne)
     found += touchesIn(batch);
   }
   EXPECT_EQ(found, touches.size());
-  std::printf("[ measured ] lanes in use: %.1f %%\n", 100.0 * static_cast<double>(found) / static_cast<double>(kLanes * batches.size()));
+  std::printf("[ measured ] lanes in use: %.1f %%\n",
+              100.0 * static_cast<double>(found) / static_cast<double>(kLanes * batches.size()));
   EXPECT_GE(found, 0.9 * static_cast<double>(kLanes * batches.size())) << "else little is gained by four at a time";
 }
 
@@ -67,8 +69,8 @@ TEST(Batches, TouchesOfOneBallAreAllInDifferentOnes)
 TEST(Batches, ABallWithABodySharesNoneWithOthers)
 {
   std::set<std::uint32_t> places;
-  const std::vector<TouchBatch> batches =
-      placedIn({{0, TouchBatch::kBody}, {1, TouchBatch::kBody}, {2, TouchBatch::kBody}, {0, TouchBatch::kBody}}, places);
+  const std::vector<TouchBatch> batches = placedIn(
+      {{0, TouchBatch::kBody}, {1, TouchBatch::kBody}, {2, TouchBatch::kBody}, {0, TouchBatch::kBody}}, places);
   ASSERT_EQ(batches.size(), 2u);
   EXPECT_EQ(touchesIn(batches[0]), 3u);
   EXPECT_EQ(touchesIn(batches[1]), 1u);

@@ -8,8 +8,9 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kCarried = kShell / (1.0 + kShell);  // 2/5: part of a plate's acceleration that a rolling shell takes over
-constexpr double kTick = 0.01;                        // [s]
+constexpr double kCarried =
+    kShell / (1.0 + kShell);    // 2/5: part of a plate's acceleration that a rolling shell takes over
+constexpr double kTick = 0.01;  // [s]
 
 PaddleCommand accelerate(const Vector3d& a, const Vector3d& alpha = Vector3d::Zero())
 {
@@ -56,7 +57,8 @@ TEST(Turntable, ARollingBallRunsOnACircleAtTwoFifthsOfItsTurn)
         slip = std::max(slip, slipSpeed(world, Vector3d::UnitZ(), Vector3d(0, 0, turn).cross(p)));
         faster = std::max(faster, std::abs(velocityOf(world).norm() - speed));
       }
-      std::printf("[ measured ] %g rad/s, tolerance %g: error %.3g m, slip %.3g m/s, speed %.3g m/s\n", turn, tolerance, worst, slip, faster);
+      std::printf("[ measured ] %g rad/s, tolerance %g: error %.3g m, slip %.3g m/s, speed %.3g m/s\n", turn, tolerance,
+                  worst, slip, faster);
       const double rounding = 1e-12;
       EXPECT_LE(worst, std::max(tolerance, rounding));
       EXPECT_LE(slip, std::max(tolerance, rounding));
@@ -167,7 +169,7 @@ TEST(Plate, ABallOnATiltingPlateAgreesWithAReferenceIntegration)
 
 struct Held
 {
-  double mu, c;  // friction and rolling resistance
+  double mu, c;                                                      // friction and rolling resistance
   double limit() const { return std::min(mu, (1.0 + kShell) * c); }  // of (tangential force needed) / load
 };
 constexpr Held kHeld[] = {{0.3, 0.5}, {0.5, 0.15}};  // slides first, rolls first
@@ -179,7 +181,8 @@ TEST(HeldBall, StaysOnAPlateThatSpeedsUpBelowTheLimitAndIsLeftBehindAboveIt)
     World world(plate(rough(0.5, held.mu, held.c)));
     world.command(0, accelerate({0.999 * held.limit() * kG, 0, 0}));
     runFor(world, 10.0, kTick);
-    EXPECT_LE((onPlate(world) - Vector3d(0, 0, kR)).norm(), 1e-9);  // after 75 m or more: a rounding of 1e-14 in each tick
+    EXPECT_LE((onPlate(world) - Vector3d(0, 0, kR)).norm(),
+              1e-9);  // after 75 m or more: a rounding of 1e-14 in each tick
     EXPECT_LE((velocityOf(world) - world.bodyTwist(0).v).norm(), 1e-9);
     World above(plate(rough(0.5, held.mu, held.c)));
     const double a = 1.001 * held.limit() * kG;
@@ -249,7 +252,8 @@ TEST(HeldBall, IsSwungThroughHalfAMetreWithoutMoving)
     World world(plate(rough(0.5, held.mu, held.c)));
     for (int i = 0; i < 100; ++i)  // half a second of 2 m/s^2 and as long a brake: 0.5 m; it tilts and turns, too
     {
-      if (i % 50 == 0) world.command(0, accelerate({i == 0 ? 2.0 : -2.0, 0, 0}, (i == 0 ? 0.5 : -0.5) * Vector3d(1, 0, 1)));
+      if (i % 50 == 0)
+        world.command(0, accelerate({i == 0 ? 2.0 : -2.0, 0, 0}, (i == 0 ? 0.5 : -0.5) * Vector3d(1, 0, 1)));
       ASSERT_TRUE(world.advance(kTick).ok());
       ASSERT_LE((onPlate(world) - Vector3d(0, 0, kR)).norm(), 1e-11) << world.time();  // rounding in each tick
     }
@@ -271,7 +275,8 @@ TEST(HeldBall, IsCarriedRoundByATurntableUntilItIsTooFast)
       if (turn < most)
       {
         const double angle = 2.0 * turn;
-        EXPECT_LE((positionOf(world) - Vector3d(radius * std::cos(angle), radius * std::sin(angle), kR)).norm(), 1e-9) << held.mu;
+        EXPECT_LE((positionOf(world) - Vector3d(radius * std::cos(angle), radius * std::sin(angle), kR)).norm(), 1e-9)
+            << held.mu;
       }
       else
         EXPECT_GT(drift, 1e-3) << held.mu;
@@ -317,7 +322,8 @@ TEST(LyingCylinder, ABallThatRollsAcrossItWithSpinKeepsItsEnergyAndAgreesWithARe
     {
       ASSERT_TRUE(world.advance(kTick).ok());
       truth = reference.rolled(truth, Real(kTick), 500);
-      error = std::max({error, distance(positionOf(world), truth.p), distance(velocityOf(world), reference.velocity(0, truth)),
+      error = std::max({error, distance(positionOf(world), truth.p),
+                        distance(velocityOf(world), reference.velocity(0, truth)),
                         distance(kR * world.ballState(0).w_WB, truth.s)});
       energy = std::max(energy, std::abs(world.totals().energy() - before) / spent);
     }
@@ -347,7 +353,8 @@ TEST(LyingCylinder, SpinFrictionThatHoldsKeepsABallFromTurningAboutTheNormal)
   {
     ASSERT_TRUE(world.advance(kTick).ok());
     truth = reference.rolled(truth, Real(kTick), 200, 0);
-    error = std::max({error, distance(positionOf(world), truth.p), distance(velocityOf(world), reference.velocity(0, truth)),
+    error = std::max({error, distance(positionOf(world), truth.p),
+                      distance(velocityOf(world), reference.velocity(0, truth)),
                       distance(kR * world.ballState(0).w_WB, truth.s)});
   }
   measured("no spin on a cylinder, error [m], [m/s]", error);
@@ -359,7 +366,11 @@ TEST(Edge, ABallWithSidespinRollsOverItAndKeepsItsEnergy)
   for (const double spin : {0.0, 60.0})
   {
     const double v = 0.2;
-    Scene scene = SceneBuilder().gravity(kG).box("table", {1, 1, 0.1}, at({-0.5, 0, -0.05})).ball({-0.01, 0, kR}, {v, 0, 0}).build();
+    Scene scene = SceneBuilder()
+                      .gravity(kG)
+                      .box("table", {1, 1, 0.1}, at({-0.5, 0, -0.05}))
+                      .ball({-0.01, 0, kR}, {v, 0, 0})
+                      .build();
     scene.balls[0].state.w_WB = {0, v / kR, spin};
     setSurface(scene, "ball", "wall", rough(0.5, kInf));
     scene.tolerance = 1e-9;
@@ -376,11 +387,13 @@ TEST(Edge, ABallWithSidespinRollsOverItAndKeepsItsEnergy)
       truth = reference.rolled(truth, 1e-3L, 1000);
       if (!(reference.load(0, truth) > 0.0L)) break;
       ASSERT_TRUE(world.advance(1e-3).ok());
-      error = std::max({error, distance(positionOf(world), truth.p), distance(velocityOf(world), reference.velocity(0, truth)),
+      error = std::max({error, distance(positionOf(world), truth.p),
+                        distance(velocityOf(world), reference.velocity(0, truth)),
                         distance(kR * world.ballState(0).w_WB, truth.s)});
       worst = std::max(worst, std::abs(world.totals().energy() / energy - 1.0));
     }
-    std::printf("[ measured ] over the edge with %g rad/s: %d ms on it, error %.3g m, m/s; energy %.3g\n", spin, ticks, error, worst);
+    std::printf("[ measured ] over the edge with %g rad/s: %d ms on it, error %.3g m, m/s; energy %.3g\n", spin, ticks,
+                error, worst);
     ASSERT_GT(ticks, 10);
     ASSERT_LT(ticks, 1000);
     EXPECT_LE(error, 1e-9);
@@ -403,7 +416,8 @@ Scene betweenBars(double left, double right, const Surface& law)
   const Quaterniond lying(Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitX()));
   SceneBuilder builder;
   builder.gravity(kG);
-  for (const int side : {-1, 1}) builder.paddle(side < 0 ? "left" : "right", cylinderShape(R, 2), {{side * apart, 0, 0}, lying});
+  for (const int side : {-1, 1})
+    builder.paddle(side < 0 ? "left" : "right", cylinderShape(R, 2), {{side * apart, 0, 0}, lying});
   Scene scene = builder.ball({0, 0, height}).build();
   scene.bodies[0].twist.w = {0, left, 0};
   scene.bodies[1].twist.w = {0, right, 0};
@@ -448,10 +462,14 @@ TEST(TurningBars, AgainstEachOtherTheyDoFiniteWork)
         if (positionOf(world).z() < 0.0) break;
         fastest = std::max({fastest, velocityOf(world).norm(), kR * world.ballState(0).w_WB.norm()});
       }
-      std::printf("[ measured ] bars of 0.5 m/s, mu = %g, %s: fastest %.3g m/s, %zu events\n", mu, turn > 0 ? "inwards" : "outwards", fastest, events);
+      std::printf("[ measured ] bars of 0.5 m/s, mu = %g, %s: fastest %.3g m/s, %zu events\n", mu,
+                  turn > 0 ? "inwards" : "outwards", fastest, events);
       EXPECT_LE(fastest, 2.0) << mu << " " << turn;  // rims of 0.5 m/s meet it one after the other
       EXPECT_LE(events, 2000u) << mu << " " << turn;
-      if (mu < tangent) { EXPECT_LE((positionOf(world) - start).norm(), 1e-12) << mu << " " << turn; }
+      if (mu < tangent)
+      {
+        EXPECT_LE((positionOf(world) - start).norm(), 1e-12) << mu << " " << turn;
+      }
     }
 }
 // --- cost ---
@@ -465,7 +483,8 @@ TEST(CostOfACarriedBall, IsAFewEventsASecond)
   World bars(betweenBars(4.0, 4.0, rough(0.5, 0.2)));
   runFor(bars, 1.0, 0.01);
   const std::size_t turns = runFor(bars, 1.0, 0.01).events;
-  std::printf("[ measured ] events in a second: rolling on a turntable %zu, held by it %zu, between bars %zu\n", rolls, lies, turns);
+  std::printf("[ measured ] events in a second: rolling on a turntable %zu, held by it %zu, between bars %zu\n", rolls,
+              lies, turns);
   EXPECT_LE(rolls, 10u);
   EXPECT_LE(lies, 10u);
   EXPECT_LE(turns, 10u);

@@ -1,8 +1,7 @@
 // Command files: good ones are read as they say; bad ones name file, line, column, value and what was expected.
-#include "../../src/apps/command_file.h"
-
 #include <sys/stat.h>
 
+#include "../../src/apps/command_file.h"
 #include "../../src/apps/command_queue.h"
 #include "load_checks.h"
 #include "scene_builder.h"
@@ -123,7 +122,8 @@ const BadFile kBadFiles[] = {
     {"time that overflows", "1.5,bat", "1e999,bat", 5, "time: 1e999: expected a finite number >= 0"},
     {"time in words", "1.5,bat", "1.5s,bat", 5, "time: 1.5s: expected a finite number >= 0"},
     {"time with a blank", "1.5,bat", " 1.5,bat", 5, "time:  1.5: expected a finite number >= 0"},
-    {"time that goes back", "1.5,bat", "0.2499,bat", 5, "time: 0.2499: expected a time that is not before that of the row above, 0.25"},
+    {"time that goes back", "1.5,bat", "0.2499,bat", 5,
+     "time: 0.2499: expected a time that is not before that of the row above, 0.25"},
     // body
     {"unknown body", "1.5,bat", "1.5,racket", 5, "body: racket: expected a kinematic body of the scene: bat, board"},
     {"no body", "1.5,bat", "1.5,", 5, "body: \"\": expected a kinematic body of the scene: bat, board"},
@@ -135,23 +135,31 @@ const BadFile kBadFiles[] = {
     {"no mode", "bat,hold", "bat,", 2, "mode: \"\": expected one of hold"},
     // values
     {"NaN", "3e-1", "nan", 3, "az: nan: expected a finite number"},
-    {"infinity", "board,velocity,,,,,,,,1,2,3,4", "board,velocity,,,,,,,,1,2,3,inf", 4, "wx: inf: expected a finite number"},
+    {"infinity", "board,velocity,,,,,,,,1,2,3,4", "board,velocity,,,,,,,,1,2,3,inf", 4,
+     "wx: inf: expected a finite number"},
     {"overflow", "3e-1", "3e999", 3, "az: 3e999: expected a finite number"},
     {"no number", "0.1,0.2", "0.1,left", 5, "y: left: expected a finite number"},
     {"hexadecimal", "0.1,0.2", "0x1,0.2", 5, "x: 0x1: expected a finite number"},
     {"NaN in the quaternion", "-0.5,0.5", "nan,0.5", 5, "qx: nan: expected a finite number"},
-    {"no quaternion", "0.5,-0.5,0.5,0.5", "0,0,0,0", 5, "qw: [0, 0, 0, 0]: expected a quaternion qw, qx, qy, qz of length 1"},
-    {"long quaternion", "0.5,-0.5,0.5,0.5", "0.5,-0.5,0.5,0.501", 5, "qw: [0.5, -0.5, 0.5, 0.501]: expected a quaternion"},
+    {"no quaternion", "0.5,-0.5,0.5,0.5", "0,0,0,0", 5,
+     "qw: [0, 0, 0, 0]: expected a quaternion qw, qx, qy, qz of length 1"},
+    {"long quaternion", "0.5,-0.5,0.5,0.5", "0.5,-0.5,0.5,0.501", 5,
+     "qw: [0.5, -0.5, 0.5, 0.501]: expected a quaternion"},
     // values of the wrong mode
     {"velocity of a swing", "acceleration,,,,,,,,,,,,,,1", "acceleration,,,,,,,,,,,,,0,1", 3,
      "wz: 0: expected nothing, since mode acceleration does not use it"},
-    {"acceleration of a pose", "5,6,,,,,,", "5,6,,,,,,7", 4, "alphaz: 7: expected nothing, since mode velocity does not use it"},
+    {"acceleration of a pose", "5,6,,,,,,", "5,6,,,,,,7", 4,
+     "alphaz: 7: expected nothing, since mode velocity does not use it"},
     {"place of a hold", "bat,hold,", "bat,hold,1", 2, "x: 1: expected nothing, since mode hold does not use it"},
-    {"swing without a turn", "3e-1,4,5,6", "3e-1,,,", 3, "alphax: nothing: expected a finite number, since mode acceleration uses it"},
-    {"pose without a velocity", "0.5,1,2,3,4,5,6,", "0.5,,,,,,,", 5, "vx: nothing: expected a finite number, since mode pose uses it"},
-    {"acceleration called velocity", "acceleration", "velocity", 3, "ax: 1: expected nothing, since mode velocity does not use it"},
+    {"swing without a turn", "3e-1,4,5,6", "3e-1,,,", 3,
+     "alphax: nothing: expected a finite number, since mode acceleration uses it"},
+    {"pose without a velocity", "0.5,1,2,3,4,5,6,", "0.5,,,,,,,", 5,
+     "vx: nothing: expected a finite number, since mode pose uses it"},
+    {"acceleration called velocity", "acceleration", "velocity", 3,
+     "ax: 1: expected nothing, since mode velocity does not use it"},
     // size
-    {"long line", "bat,hold", "bat,hold" + std::string(5000, ','), 2, "commands: a longer line: expected at most 4095 bytes"},
+    {"long line", "bat,hold", "bat,hold" + std::string(5000, ','), 2,
+     "commands: a longer line: expected at most 4095 bytes"},
 };
 
 TEST_F(CommandFile, NamesFileLineColumnValueAndExpectation)
@@ -159,7 +167,8 @@ TEST_F(CommandFile, NamesFileLineColumnValueAndExpectation)
   for (const BadFile& bad : kBadFiles)
   {
     SCOPED_TRACE(bad.what);
-    expectMessage(errorOf(edited(kFile, bad.from, bad.to)), file() + ":" + std::to_string(bad.line) + ": " + bad.message);
+    expectMessage(errorOf(edited(kFile, bad.from, bad.to)),
+                  file() + ":" + std::to_string(bad.line) + ": " + bad.message);
   }
 }
 

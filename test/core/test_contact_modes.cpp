@@ -13,7 +13,7 @@ namespace
 {
 constexpr double kRounding = 1e-12;  // of speeds of a few m/s, and of metres, in closed forms on planes
 // A ball that starts on two surfaces is held by one; it meets the other within 10 ns, at accelerations of some 20 m/s^2.
-constexpr double kStart = 2e-7;  // [m/s]
+constexpr double kStart = 2e-7;    // [m/s]
 constexpr double kStarted = 1e-3;  // long after that [s]
 
 // --- in a corner: friction at one surface presses the ball on the other ---
@@ -24,9 +24,9 @@ struct CornerLoads
   double floor, wall;  // N / m [m/s^2]
   double spin_rate;    // of r w [m/s^2]
   CornerLoads(const Vector3d& g, double mu_floor, double mu_wall)
-    : floor((-g.z() + mu_wall * g.x()) / (1.0 + mu_floor * mu_wall))
-    , wall(-g.x() + mu_floor * floor)
-    , spin_rate((mu_floor * floor + mu_wall * wall) / kShell)
+      : floor((-g.z() + mu_wall * g.x()) / (1.0 + mu_floor * mu_wall)),
+        wall(-g.x() + mu_floor * floor),
+        spin_rate((mu_floor * floor + mu_wall * wall) / kShell)
   {
   }
 };
@@ -73,7 +73,8 @@ TEST(Corner, FrictionAndLoadsOfTwoSurfacesBelongTogether)
 TEST(Corner, ASmoothWallTakesTheRestOfARollingBall)
 {
   // On the floor from x = 0.2 to the wall at x = r, where little of its speed is returned; the spin drives it back there.
-  World world(cornerScene({0, 0, -kG}, rough(0.9, 0.24), rough(0.1, 0.0), {{0.2, 0, kR}, Quaterniond::Identity(), {-0.5, 0, 0}, {0, -25, 0}}));
+  World world(cornerScene({0, 0, -kG}, rough(0.9, 0.24), rough(0.1, 0.0),
+                          {{0.2, 0, kR}, Quaterniond::Identity(), {-0.5, 0, 0}, {0, -25, 0}}));
   const Sum sum = runFor(world, 3.0, 0.01);
   measured("events of a ball that rolls to a wall", static_cast<double>(sum.events));
   EXPECT_TRUE(sum.ok);
@@ -89,7 +90,7 @@ struct SlidingInCorner
   Real mu_floor, mu_wall, k = 2.0L / 3.0L, g = 9.81L;
   struct State
   {
-    Real v;      // along y
+    Real v;  // along y
     Vector3r s;
   };
   State rates(const State& at) const
@@ -108,7 +109,8 @@ struct SlidingInCorner
     const auto moved = [](const State& a, const State& d, Real by) { return State{a.v + by * d.v, a.s + by * d.s}; };
     for (int i = 0; i < steps; ++i)
     {
-      const State a = rates(at), b = rates(moved(at, a, h / 2)), c = rates(moved(at, b, h / 2)), d = rates(moved(at, c, h));
+      const State a = rates(at), b = rates(moved(at, a, h / 2)), c = rates(moved(at, b, h / 2)),
+                  d = rates(moved(at, c, h));
       at.v += h / 6 * (a.v + 2 * b.v + 2 * c.v + d.v);
       at.s += h / 6 * (a.s + 2 * b.s + 2 * c.s + d.s);
     }
@@ -120,7 +122,8 @@ TEST(Corner, ABallThatRollsObliquelyToADeadWallSlidesOnAlongIt)
 {
   const double mu = 0.2;
   // It meets the wall x = r after 0.08 s with 1 m/s; 0.5 m/s along it; rolling.
-  World world(cornerScene({0, 0, -kG}, rough(0.0, mu), rough(0.0, mu), {{kR + 0.08, 0, kR}, Quaterniond::Identity(), {-1, 0.5, 0}, {-25, -50, 0}}));
+  World world(cornerScene({0, 0, -kG}, rough(0.0, mu), rough(0.0, mu),
+                          {{kR + 0.08, 0, kR}, Quaterniond::Identity(), {-1, 0.5, 0}, {-25, -50, 0}}));
   const Sum first = runFor(world, 0.08 + 1e-9, 0.08 + 1e-9);
   ASSERT_EQ(first.contacts, 1u);
   const BallState hit = world.ballState(0);
@@ -152,7 +155,8 @@ TEST(Corner, SlidingAlongBothSurfacesAgreesWithAReferenceIntegration)
   {
     world.advance(0.02);
     truth = reference.after(truth, 0.02L, 400);
-    EXPECT_NEAR(velocityOf(world).y(), static_cast<double>(truth.v), 1e-9) << i;  // the scene asks for 1e-6 m after a second
+    EXPECT_NEAR(velocityOf(world).y(), static_cast<double>(truth.v), 1e-9)
+        << i;  // the scene asks for 1e-6 m after a second
     EXPECT_LE(distance(kR * world.ballState(0).w_WB, truth.s), 1e-9) << i;
   }
   measured("error of the speed along a corner after 0.2 s [m/s]", velocityOf(world).y() - static_cast<double>(truth.v));
@@ -240,7 +244,8 @@ TEST(RollingResistance, HoldsABallOnASlopeUpToATangentOfOnePlusKTimesIt)
     const double c = 0.05, limit = std::atan((1.0 + k) * c);
     const auto after = [&](double angle)
     {
-      World world(ballOnFloor({kG * std::sin(angle), 0, -kG * std::cos(angle)}, rough(0.5, 0.4, c), {0, 0, 0}, {0, 0, 0}, k));
+      World world(
+          ballOnFloor({kG * std::sin(angle), 0, -kG * std::cos(angle)}, rough(0.5, 0.4, c), {0, 0, 0}, {0, 0, 0}, k));
       world.advance(2.0);
       return world.ballState(0);
     };
@@ -285,7 +290,8 @@ TEST(RollingResistance, BendsThePathOfABallThatRollsAcrossASlope)
   const Vector2r pull(9.81L * std::sin(Real(angle)) / (1.0L + 2.0L / 3.0L), 0);
   const Real brake = Real(c) * 9.81L * std::cos(Real(angle));
   const auto slope = [&](const Vector2r& v) { return Vector2r(pull - brake * v.normalized()); };
-  Scene scene = ballOnFloor({kG * std::sin(angle), 0, -kG * std::cos(angle)}, rough(0.5, 0.4, c), {-0.2, v0, 0}, {-v0 / kR, -0.2 / kR, 0});
+  Scene scene = ballOnFloor({kG * std::sin(angle), 0, -kG * std::cos(angle)}, rough(0.5, 0.4, c), {-0.2, v0, 0},
+                            {-v0 / kR, -0.2 / kR, 0});
   scene.tolerance = 1e-9;
   World world(scene);
   Vector2r p(0, 0), v(-0.2L, Real(v0));
@@ -330,10 +336,16 @@ TEST(Resistance, EnergyNeverGrowsOnSurfacesAtRest)
   std::size_t most = 0;
   for (int i = 0; i < 100; ++i)
   {
-    const auto law = [&] { return rough(0.5 + 0.5 * part(random), std::abs(part(random)), 0.05 * std::abs(part(random)), 0.02 * std::abs(part(random))); };
+    const auto law = [&]
+    {
+      return rough(0.5 + 0.5 * part(random), std::abs(part(random)), 0.05 * std::abs(part(random)),
+                   0.02 * std::abs(part(random)));
+    };
     const Surface floor = law(), wall = law();
     const Vector3d gravity(2.0 * part(random), 2.0 * part(random), -9.0);
-    World world(cornerScene(gravity, floor, wall, inCorner({std::abs(part(random)), part(random), 0}, 50.0 * Vector3d(part(random), part(random), part(random)))));
+    World world(cornerScene(gravity, floor, wall,
+                            inCorner({std::abs(part(random)), part(random), 0},
+                                     50.0 * Vector3d(part(random), part(random), part(random)))));
     double energy = world.totals().energy();
     std::size_t events = 0;
     for (int tick = 0; tick < 100; ++tick)
@@ -405,7 +417,8 @@ TEST(Groove, ABallRollsAtTheRateOfItsSmallerRollingRadius)
         runFor(world, 0.1, 0.1);
         const Sum sum = runFor(world, 0.9, 0.1);
         const double a = 1.5 / (1.0 + k / (sine * sine)), v = 0.4 + a;
-        EXPECT_LE((positionOf(world) - start - Vector3d(0, 0.4 + 0.5 * a, 0)).norm(), kRounding) << half << " " << sideways;
+        EXPECT_LE((positionOf(world) - start - Vector3d(0, 0.4 + 0.5 * a, 0)).norm(), kRounding)
+            << half << " " << sideways;
         EXPECT_LE((velocityOf(world) - Vector3d(0, v, 0)).norm(), kRounding) << half << " " << sideways;
         for (const int side : {-1, 1})
           EXPECT_LE(slipSpeed(world, {-side * std::cos(angle), 0, sine}), kRounding) << half << " " << sideways;

@@ -1,5 +1,6 @@
 // Two and three walls at the same instant. From any direction: test_stability.cpp.
 #include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "scene_builder.h"

@@ -1,5 +1,6 @@
 // Newton's cradle, collapse and Galperin's count: many contacts in no time.
 #include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "situations.h"

@@ -189,7 +189,8 @@ TEST(Rooms, SayWhatIsWrong)
       {{"in: hall", "in: hell"}, "balls[0].random.in: hell: expected the name of a body that is a room"},
       {{"in: hall", "in: hall, min: [0, 0, 0]"}, "balls[0].random.min: beside in: expected either in, or min and max"},
       {{"speed: 1", "speed: {maxwell: -1}"}, "balls[0].random.speed.maxwell: -1: expected a finite number >= 0"},
-      {{"size: [2, 1, 0.5]", "size: [2, 1, 0.03]"}, "balls[0].random.count: 50: expected a room with room for one ball"},
+      {{"size: [2, 1, 0.5]", "size: [2, 1, 0.03]"},
+       "balls[0].random.count: 50: expected a room with room for one ball"},
   };
   for (const auto& [edit, expected] : cases)
   {
@@ -213,9 +214,9 @@ TEST(RandomSpeeds, FollowMaxwell)
       fourth += v * v * v * v;
     }
   const double n = 3000.0;
-  EXPECT_NEAR(sum / n, 0.0, 4.0 * 2.0 / std::sqrt(n));                         // 4 standard errors
-  EXPECT_NEAR(squares / n, 4.0, 4.0 * 4.0 * std::sqrt(2.0 / n));               // of the variance
-  EXPECT_NEAR(fourth / n, 3.0 * 16.0, 4.0 * 16.0 * std::sqrt(96.0 / n));       // of the fourth moment
+  EXPECT_NEAR(sum / n, 0.0, 4.0 * 2.0 / std::sqrt(n));                    // 4 standard errors
+  EXPECT_NEAR(squares / n, 4.0, 4.0 * 4.0 * std::sqrt(2.0 / n));          // of the variance
+  EXPECT_NEAR(fourth / n, 3.0 * 16.0, 4.0 * 16.0 * std::sqrt(96.0 / n));  // of the fourth moment
 }
 
 // --- cost of starting ---
@@ -236,7 +237,8 @@ TEST(StartingACrowd, OfAHundredThousandBallsTakesSeconds)
 TEST(StartingACrowd, SpawningBallByBallTakesNoMemoryEachTime)
 {
   World world = SceneBuilder().gravity(kG).floor().world();
-  const auto spawn = [&](int from, int to) {
+  const auto spawn = [&](int from, int to)
+  {
     for (int i = from; i < to; ++i)
     {
       BallState state;

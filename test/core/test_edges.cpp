@@ -1,5 +1,6 @@
 // Normals on faces, edges, corners, rims and curved sides of bodies at any pose.
 #include <gtest/gtest.h>
+
 #include <random>
 
 #include "scene_builder.h"

@@ -1,5 +1,6 @@
 // Friction and spin at a bounce, and sliding, rolling and spinning on a surface: closed forms.
 #include <gtest/gtest.h>
+
 #include <random>
 
 #include "ping_pong_sim/resolve.h"
@@ -96,7 +97,8 @@ TEST(BounceLaw, TheBorderOfGripAndSlideIsContinuous)
     for (const double e_t : {-0.3, 0.0, 0.7})
     {
       const double e = 0.9, mu = 0.3, down = 2.0;
-      const double border = mu * (1.0 + e) * down * (1.0 + 1.0 / k) / (1.0 + e_t);  // slip; shell, e_t = 0: (5/2) mu (1+e) v_n
+      const double border =
+          mu * (1.0 + e) * down * (1.0 + 1.0 / k) / (1.0 + e_t);  // slip; shell, e_t = 0: (5/2) mu (1+e) v_n
       const double d = 1e-9;
       const BallState inside = bounced(rough(e, mu, e_t), k, border - d, 0.0, down);
       const BallState at = bounced(rough(e, mu, e_t), k, border, 0.0, down);
@@ -172,11 +174,8 @@ TEST(Bounce, ThreeBouncesUnderATableReverseASuperball)
   // Garwin 1969 for the solid ball; the same algebra for a shell: -71/125.
   for (const Case& test : {Case{kSolidInertia, -333.0 / 343.0}, Case{kShellInertia, -71.0 / 125.0}})
   {
-    Scene scene = SceneBuilder()
-                      .floor()
-                      .box("table", {40.0, 4.0, 0.1}, at({0, 0, 0.81}))
-                      .ball({0, 0, 0.38}, {3, 0, -3})
-                      .build();
+    Scene scene =
+        SceneBuilder().floor().box("table", {40.0, 4.0, 0.1}, at({0, 0, 0.81})).ball({0, 0, 0.38}, {3, 0, -3}).build();
     scene.balls[0].params.inertia = test.inertia;
     scene.surfaces.set(0, 1, rough(1.0, kInf, 1.0));
     World world(scene);
@@ -199,7 +198,10 @@ TEST(Bounce, ASweptSurfaceIsTheSameInItsOwnFrame)
 
 TEST(Bounce, APaddleThatBrushesTheBallGivesItSpin)
 {
-  Scene scene = SceneBuilder().paddle("paddle", boxShape({0.01, 0.4, 0.4}), at({0, 0, 0})).ball({0.1, 0, 0.05}, {-5, 0, 0}).build();
+  Scene scene = SceneBuilder()
+                    .paddle("paddle", boxShape({0.01, 0.4, 0.4}), at({0, 0, 0}))
+                    .ball({0.1, 0, 0.05}, {-5, 0, 0})
+                    .build();
   scene.surfaces.set(0, 1, rough(0.8, kInf, 0.7));
   World world(scene);
   world.command(0, velocityCommand({0, 0, 3.0}));
@@ -219,7 +221,8 @@ struct Pair
   BallState one, two;
 };
 
-Pair collided(const Surface& law, const BallParams& ball1, const BallParams& ball2, const Pair& before, const Vector3d& n)
+Pair collided(const Surface& law, const BallParams& ball1, const BallParams& ball2, const Pair& before,
+              const Vector3d& n)
 {
   Pair after = before;
   const double closing = -n.dot(before.one.v_WB - before.two.v_WB);
@@ -252,9 +255,9 @@ TEST(BallBall, KeepsMomentumAndAngularMomentumAndScalesTheSlip)
       const double I2 = ball2.inertia * ball2.mass * ball2.radius * ball2.radius;
       return ball1.mass * arm.cross(p.one.v_WB) + I1 * p.one.w_WB + I2 * p.two.w_WB;
     };
-    const auto slip = [&](const Pair& p) -> Vector3d {
-      const Vector3d u = p.one.v_WB - p.two.v_WB -
-                         (ball1.radius * p.one.w_WB + ball2.radius * p.two.w_WB).cross(n);
+    const auto slip = [&](const Pair& p) -> Vector3d
+    {
+      const Vector3d u = p.one.v_WB - p.two.v_WB - (ball1.radius * p.one.w_WB + ball2.radius * p.two.w_WB).cross(n);
       return u - n.dot(u) * n;
     };
     EXPECT_LE((momentum(after) - momentum(before)).norm(), 1e-3 * kRounding);
@@ -437,7 +440,11 @@ TEST(Rolling, ABallThatBouncesToRestWithSpinRollsAway)
 
 World rollingOff(double v, double mu)
 {
-  Scene scene = SceneBuilder().gravity(kG).box("table", {1.0, 1.0, 0.1}, at({-0.5, 0, -0.05})).ball({-0.1, 0, kR}, {v, 0, 0}).build();
+  Scene scene = SceneBuilder()
+                    .gravity(kG)
+                    .box("table", {1.0, 1.0, 0.1}, at({-0.5, 0, -0.05}))
+                    .ball({-0.1, 0, kR}, {v, 0, 0})
+                    .build();
   scene.balls[0].state.w_WB = {0, v / kR, 0};
   scene.surfaces.set(0, 1, rough(0.5, mu));
   return World(scene);
@@ -468,7 +475,8 @@ TEST(Rolling, OffTheEdgeASlowBallPivotsOnItAndKeepsItsEnergy)
   const double cosine = (v * v / (kG * kR) + 2.0 / (1.0 + k)) / (1.0 + 2.0 / (1.0 + k));
   EXPECT_NEAR(leaves, std::sqrt(kG * kR * cosine), 1.5e-3);  // seen up to a tick late: 1e-4 s of free fall
   EXPECT_NEAR(world.totals().energy() / energy, 1.0, 1e-9);  // pieces of a tolerance of 1e-6 m are far better than that
-  EXPECT_NEAR(kR * world.ballState(0).w_WB.y(), std::sqrt(kG * kR * cosine), 1e-4);  // it rolled to the end, and let go within some 10 us, at 4 m/s^2
+  EXPECT_NEAR(kR * world.ballState(0).w_WB.y(), std::sqrt(kG * kR * cosine),
+              1e-4);  // it rolled to the end, and let go within some 10 us, at 4 m/s^2
 }
 }  // namespace
 }  // namespace ping_pong

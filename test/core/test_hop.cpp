@@ -58,7 +58,8 @@ void expectSameBits(const Scene& scene, double duration, std::size_t least_conta
 
 TEST(Hop, ElasticBouncesForAMinute)
 {
-  expectSameBits(SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 0.3}, {0.5, -0.1, 0.2}).build(), 60.0, 100);
+  expectSameBits(SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 0.3}, {0.5, -0.1, 0.2}).build(), 60.0,
+                 100);
 }
 
 TEST(Hop, BouncesThatEndAtRest)
@@ -70,12 +71,14 @@ TEST(Hop, AnObliqueField)
 {
   Scene scene = SceneBuilder().gravity(kG).floor().restitution(0.9).ball({0, 0, 0.7}, {0.1, 0.2, 0.3}).build();
   scene.forces.gravity = {0.7, -0.3, -9.7};
-  scene.surfaces.set(scene.balls[0].params.material, scene.bodies[0].shapes[0].material, [] {
-    Surface law;
-    law.restitution = 0.95;
-    law.restitution_slope = 0.01;
-    return law;
-  }());
+  scene.surfaces.set(scene.balls[0].params.material, scene.bodies[0].shapes[0].material,
+                     []
+                     {
+                       Surface law;
+                       law.restitution = 0.95;
+                       law.restitution_slope = 0.01;
+                       return law;
+                     }());
   expectSameBits(scene, 20.0, 30);
 }
 
@@ -91,9 +94,14 @@ TEST(Hop, DownASlopeThatIsAllThereIs)
 TEST(Hop, FlightsLongerThanTheHorizonAndABoxOnTheWay)
 {
   expectSameBits(SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 40.0}, {0.5, 0, 0}).build(), 60.0, 5);
-  expectSameBits(
-      SceneBuilder().gravity(kG).floor().restitution(1.0).box("box", {0.2, 1, 0.2}, at({2, 0, 0.3})).ball({0, 0, 0.5}, {0.5, 0, 0}).build(),
-      20.0, 20);
+  expectSameBits(SceneBuilder()
+                     .gravity(kG)
+                     .floor()
+                     .restitution(1.0)
+                     .box("box", {0.2, 1, 0.2}, at({2, 0, 0.3}))
+                     .ball({0, 0, 0.5}, {0.5, 0, 0})
+                     .build(),
+                 20.0, 20);
 }
 
 // Many hops of a window leave only the box that they were in, in which others have to find the ball.

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "ping_pong_sim/state_hash.h"
 #include "overlaps.h"
+#include "ping_pong_sim/state_hash.h"
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -66,7 +66,8 @@ TEST(Impulse, AStackOfFiveInATubeStandsWhereTheBallsSayItHasTo)
   EXPECT_EQ(asleep(world), 5u);
   EXPECT_LE(deepest, 1e-4);
   for (std::size_t i = 0; i < 5; ++i)
-    EXPECT_NEAR(positionOf(world, i).z(), kR + 2.0 * kR * static_cast<double>(i), 2e-5 * (1.0 + static_cast<double>(i)));
+    EXPECT_NEAR(positionOf(world, i).z(), kR + 2.0 * kR * static_cast<double>(i),
+                2e-5 * (1.0 + static_cast<double>(i)));
 }
 
 // Four balls in a square that friction holds, and one on top of them: its height is 2 r / sqrt(2) above them.
@@ -163,7 +164,8 @@ TEST(Impulse, ABallThatBouncesAloneGoesAsTheExactMethodSays)
 TEST(Impulse, AirActsFromTheFirstStepOn)
 {
   const double step = 1e-3;  // [s]
-  const auto afterOneStep = [step](Method method) {
+  const auto afterOneStep = [step](Method method)
+  {
     Scene scene = SceneBuilder(method, step).ball({0, 0, 1}, {20, 0, 0}).build();
     scene.forces.drag = true;
     World world(scene);
@@ -172,7 +174,8 @@ TEST(Impulse, AirActsFromTheFirstStepOn)
   };
   const double slower = 20.0 - afterOneStep(Method::Exact);
   EXPECT_GT(slower, 0.01);
-  EXPECT_NEAR(20.0 - afterOneStep(Method::Impulse), slower, 1e-4 * slower);  // third order: (step / time scale)^2 = 3e-6 of it
+  EXPECT_NEAR(20.0 - afterOneStep(Method::Impulse), slower,
+              1e-4 * slower);  // third order: (step / time scale)^2 = 3e-6 of it
 }
 
 TEST(Impulse, SlidingToRollingConvergesWithTheStep)
@@ -196,8 +199,8 @@ TEST(Impulse, SlidingToRollingConvergesWithTheStep)
 /// Ten layers of balls, let fall into a tray as wide as their grid.
 struct Pour
 {
-  int row = 10;       // 10 row^2 balls
-  double dt = 1e-3;   // [s]
+  int row = 10;      // 10 row^2 balls
+  double dt = 1e-3;  // [s]
   double half = 0.0225 * row;
   Scene scene() const
   {
@@ -240,8 +243,10 @@ TEST(Impulse, BallsComeToRestInATrayAndStayThere)
       gained = std::max(gained, now - energy);
       energy = now;
     }
-    std::printf("[ measured ] %zu balls, steps of %.3g ms: deepest overlap %.3g mm, asleep %zu, gain of energy in 1/32 s %.2g\n",
-                world.ballCount(), 1e3 * pour.dt, 1e3 * deepest, asleep(world), gained / start);
+    std::printf(
+        "[ measured ] %zu balls, steps of %.3g ms: deepest overlap %.3g mm, asleep %zu, gain of energy in 1/32 s "
+        "%.2g\n",
+        world.ballCount(), 1e3 * pour.dt, 1e3 * deepest, asleep(world), gained / start);
     EXPECT_LE(deepest, 1e-3);
     EXPECT_LE(gained, 1e-5 * start);  // overlap that is taken out lifts balls by what they had sunk
     EXPECT_EQ(outside(world, pour.half), 0u);

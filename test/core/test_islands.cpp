@@ -67,7 +67,8 @@ std::vector<CoarseBox> evenBoxes(std::size_t count, unsigned seed)
 // The grid rounds: what it takes for a pair has to be looked at.
 void build(BroadPhase& broad_phase, const std::vector<CoarseBox>& boxes, Workers& workers)
 {
-  broad_phase.build(boxes.size(), [&](std::size_t i) { return boxes[i]; }, workers);
+  broad_phase.build(
+      boxes.size(), [&](std::size_t i) { return boxes[i]; }, workers);
 }
 
 // Calls action(index, added).
@@ -103,18 +104,19 @@ TEST(BroadPhase, FindsEveryPairOnceInSharesOfAnySize)
       const std::size_t share = 1 + broad_phase.boxes() / threads;
       Pairs pairs, told, announced;
       for (std::size_t begin = 0; begin < broad_phase.boxes(); begin += share)
-        broad_phase.eachPairs(begin, std::min(begin + share, broad_phase.boxes()),
-                              [&](std::uint32_t a, std::uint32_t b) { announced.insert(std::minmax(a, b)); },
-                              [&](const BroadPhase::Pair* some, std::size_t how_many)
-                              {
-                                for (std::size_t p = 0; p < how_many; ++p)
-                                {
-                                  const auto [a, b] = std::minmax(some[p][0], some[p][1]);
-                                  EXPECT_TRUE(announced.count({a, b})) << "not announced";
-                                  EXPECT_TRUE(told.insert({a, b}).second) << "told twice";
-                                  if (boxes[a].overlaps(boxes[b])) pairs.insert({a, b});
-                                }
-                              });
+        broad_phase.eachPairs(
+            begin, std::min(begin + share, broad_phase.boxes()),
+            [&](std::uint32_t a, std::uint32_t b) { announced.insert(std::minmax(a, b)); },
+            [&](const BroadPhase::Pair* some, std::size_t how_many)
+            {
+              for (std::size_t p = 0; p < how_many; ++p)
+              {
+                const auto [a, b] = std::minmax(some[p][0], some[p][1]);
+                EXPECT_TRUE(announced.count({a, b})) << "not announced";
+                EXPECT_TRUE(told.insert({a, b}).second) << "told twice";
+                if (boxes[a].overlaps(boxes[b])) pairs.insert({a, b});
+              }
+            });
       EXPECT_EQ(pairs, everyPair(boxes)) << count;
     }
   }
@@ -181,7 +183,8 @@ TEST(BroadPhase, LeavesOutEmptyBoxes)
   Workers alone;
   BroadPhase broad_phase;
   build(broad_phase, boxes, alone);
-  EXPECT_EQ(broad_phase.boxes(), static_cast<std::size_t>(std::count_if(boxes.begin(), boxes.end(), [](const CoarseBox& box) { return !box.empty(); })));
+  EXPECT_EQ(broad_phase.boxes(), static_cast<std::size_t>(std::count_if(
+                                     boxes.begin(), boxes.end(), [](const CoarseBox& box) { return !box.empty(); })));
   build(broad_phase, std::vector<CoarseBox>(5), alone);
   EXPECT_EQ(broad_phase.boxes(), 0u);
 }
@@ -276,7 +279,8 @@ TEST(BroadPhase, LooksAtFewOfManyAddedBoxes)
   build(broad_phase, boxes, alone);
   add(broad_phase, boxes, alone);
   std::size_t looked_at = 0;
-  for (const CoarseBox& box : boxes) eachOverlapping(broad_phase, box, [&](std::uint32_t, bool added) { looked_at += added; });
+  for (const CoarseBox& box : boxes)
+    eachOverlapping(broad_phase, box, [&](std::uint32_t, bool added) { looked_at += added; });
   measured("added boxes looked at, of 5000", static_cast<double>(looked_at) / 5000.0);
   EXPECT_LT(looked_at / 5000, 250u);
 }
@@ -320,7 +324,7 @@ class Gas
 {
 public:
   Gas(std::vector<Particle> particles, double half, double radius)
-    : particles_(std::move(particles)), half_(half), radius_(radius)
+      : particles_(std::move(particles)), half_(half), radius_(radius)
   {
   }
 
@@ -337,7 +341,8 @@ public:
         for (int axis = 0; axis < 3; ++axis)
           if (const double t = wallTime(particles_[i], axis); t < soonest) soonest = t, first = i, wall = axis;
         for (std::size_t k = i + 1; k < particles_.size(); ++k)
-          if (const double t = pairTime(particles_[i], particles_[k]); t < soonest) soonest = t, first = i, second = k, wall = -1;
+          if (const double t = pairTime(particles_[i], particles_[k]); t < soonest)
+            soonest = t, first = i, second = k, wall = -1;
       }
       for (Particle& particle : particles_) particle.p += soonest * particle.v;
       left -= soonest;
@@ -429,7 +434,8 @@ TEST(Islands, AGasGoesAsTheListOfAllEvents)
     measured("worst difference of a position from the list of all events [m]", worst);
     EXPECT_EQ(hits, static_cast<std::size_t>(expected));
     EXPECT_GT(hits, 250u);
-    EXPECT_LE(worst, 1e-9);  // a few hits a ball, each of which makes 1e-16 m larger by the path over the radius, about 10
+    EXPECT_LE(worst,
+              1e-9);  // a few hits a ball, each of which makes 1e-16 m larger by the path over the radius, about 10
   }
 }
 

@@ -1,5 +1,6 @@
 // Balls against balls: closed forms, cradles, counting, momentum and energy.
 #include <gtest/gtest.h>
+
 #include <random>
 
 #include "detect/first_contact.h"

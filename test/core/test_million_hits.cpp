@@ -1,11 +1,12 @@
 // A million random balls against blades of 1 to 15 mm, boxes and cylinders, still, moving, turning, accelerating: none
 // missed, none invented. The check is hit_reference.h.
 #include <gtest/gtest.h>
+
 #include <random>
 
-#include "hit_reference.h"
 #include "detect/first_contact.h"
 #include "evolve/flight.h"
+#include "hit_reference.h"
 #include "scene_builder.h"
 
 namespace ping_pong

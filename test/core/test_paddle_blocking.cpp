@@ -3,9 +3,9 @@
 
 #include <random>
 
+#include "geometry/separating_axis.h"
 #include "paddle/paddle_drive.h"
 #include "ping_pong_sim/scene_loader.h"
-#include "geometry/separating_axis.h"
 #include "ping_pong_sim/world.h"
 
 namespace ping_pong
@@ -174,7 +174,8 @@ TEST(Blocking, ATurnJustOverTheTableIsMovedAsFarAs64LooksReach)
     motion.twist.w.z() = w;
     const BlockedMotion allowed = stopAtObstacles(plates, motion, h, {{&tables, Pose()}}, near);
     const double reach = 64.0 * (gap - 0.5e-4) / (w * plate.half_size.norm());
-    EXPECT_NEAR(allowed.duration, std::min(reach, h), 1e-12) << w;  // the gap is a difference of numbers near 0.05: 1e-17
+    EXPECT_NEAR(allowed.duration, std::min(reach, h), 1e-12)
+        << w;  // the gap is a difference of numbers near 0.05: 1e-17
     EXPECT_EQ(allowed.motion.twist.w.z(), w);
     EXPECT_EQ(allowed.blocked, reach < h) << w;
   }

@@ -91,8 +91,8 @@ TEST(PaddleDrive, WithoutLimitsAVelocityIsReachedInTheFirstPieceOfATick)
   {
     double length, first_piece;
   };
-  for (const Tick tick : {Tick{0.002, 0.002}, Tick{0.005, 0.005}, Tick{0.006, 0.003}, Tick{0.012, 0.004}, Tick{0.1, 0.005},
-                          Tick{1.0, 0.005}})
+  for (const Tick tick : {Tick{0.002, 0.002}, Tick{0.005, 0.005}, Tick{0.006, 0.003}, Tick{0.012, 0.004},
+                          Tick{0.1, 0.005}, Tick{1.0, 0.005}})
   {
     Paddle paddle({kInf, kInf, kInf, kInf});
     paddle.command(moveAt({3.0, 0.0, 0.0}));

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "base/law_counter.h"
-#include "ping_pong_sim/choose_method.h"
 #include "evolve/flight.h"
+#include "ping_pong_sim/choose_method.h"
 #include "scene_builder.h"
 
 namespace ping_pong
@@ -230,13 +230,21 @@ const Case kCases[] = {
          [](SceneBuilder& b) {
            b.box("box", {1, 1, 1}, at({0, 9, 0}));
          }),
-     kVacuum, {}, {}, Laws{"box"}},
+     kVacuum,
+     {},
+     {},
+     Laws{"box"}},
     {"a box below the floor, where only a path without bounces would go",
      near(
          [](SceneBuilder& b) {
            b.box("box", {1, 1, 1}, at({0, 0, -0.501}));
          }),
-     kVacuum, {}, {}, Laws{"box"}, 1.0, Laws{"box"}},
+     kVacuum,
+     {},
+     {},
+     Laws{"box"},
+     1.0,
+     Laws{"box"}},
     {"a cylinder and a sphere below the floor",
      near(
          [](SceneBuilder& b)
@@ -244,7 +252,12 @@ const Case kCases[] = {
            b.body("can", BodyKind::Static, {cylinderShape(2, 0.1)}, at({0, 0, -0.051}));
            b.body("globe", BodyKind::Static, {sphereShape(5)}, at({0, 0, -5.001}));
          }),
-     kVacuum, {}, {}, Laws{"cylinder", "sphere"}, 1.0, Laws{"cylinder", "sphere"}},
+     kVacuum,
+     {},
+     {},
+     Laws{"cylinder", "sphere"},
+     1.0,
+     Laws{"cylinder", "sphere"}},
     {"a paddle that moves",
      near(
          [](SceneBuilder& b) {
@@ -309,7 +322,8 @@ TEST(PayForWhatYouNameHow, ASceneThatNamesNothingIsFree)
 {
   const Case nothing{"nothing", [] { return SceneBuilder().ball({0, 0, 1}, {1, 2, 3}).build(); }};
   for (const Method method : kMethods)
-    EXPECT_EQ(lawsOf(nothing, method), method == Method::Exact || method == Method::Impulse ? Laws{} : Laws{"constant acceleration"})
+    EXPECT_EQ(lawsOf(nothing, method),
+              method == Method::Exact || method == Method::Impulse ? Laws{} : Laws{"constant acceleration"})
         << name(method);
 }
 

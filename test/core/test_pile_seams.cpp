@@ -77,7 +77,8 @@ End endOn(const std::vector<Shape>& shapes, const Ride& ride, Bodies bodies = Bo
   if (bodies == Bodies::One)
     builder.body("deck", ride.kind, shapes, ride.pose);
   else
-    for (std::size_t s = 0; s < shapes.size(); ++s) builder.body("deck" + std::to_string(s), ride.kind, {shapes[s]}, ride.pose);
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+      builder.body("deck" + std::to_string(s), ride.kind, {shapes[s]}, ride.pose);
   Scene scene = builder.build();
   for (MaterialId a = 0; a < scene.materials.size(); ++a)
     for (MaterialId b = 0; b < scene.materials.size(); ++b) scene.surfaces.set(a, b, lawOf(ride));
@@ -278,7 +279,8 @@ TEST(PileSeams, ACrowdOnTilesGoesAsOnOneBoard)
     SceneBuilder builder(Method::Impulse);
     builder.gravity(kG).restitution(0.8).body("deck", BodyKind::Static, shapes, at(Vector3d::Zero()));
     for (int i = 0; i < 125; ++i)
-      builder.ball({0.25 + 0.045 * (i % 5), 0.05 + 0.045 * (i / 5 % 5), 0.1 + 0.045 * (i / 25)}, {0.2 * std::sin(i), 0.2 * std::cos(2.0 * i), 0});
+      builder.ball({0.25 + 0.045 * (i % 5), 0.05 + 0.045 * (i / 5 % 5), 0.1 + 0.045 * (i / 25)},
+                   {0.2 * std::sin(i), 0.2 * std::cos(2.0 * i), 0});
     return builder.world();
   };
   constexpr double kExact = 0.125;  // no corner is rounded [m]

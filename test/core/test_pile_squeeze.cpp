@@ -51,7 +51,7 @@ struct Press
   double speed = 0.0, deep = 0.0;  // greatest so far [m/s], [m]
 
   Press(std::size_t balls, double its_u, double its_tick, const Law& law, double tilt = 0.0, double aside = 0.0)
-    : world(scene(balls, law, tilt, aside)), u(its_u), tick(its_tick), to_floor(world.bodyPose(1).p.z())
+      : world(scene(balls, law, tilt, aside)), u(its_u), tick(its_tick), to_floor(world.bodyPose(1).p.z())
   {
   }
 
@@ -62,7 +62,8 @@ struct Press
     const double top = 2.0 * kR * static_cast<double>(balls) + 0.005;
     builder.paddle("plate", cylinderShape(kPlateRadius, kPlate),
                    at({0.01, 0, top + 0.5 * kPlate + kPlateRadius * std::sin(tilt)}, tilt, Vector3d::UnitY()));
-    for (std::size_t i = 0; i < balls; ++i) builder.ball({aside * static_cast<double>(i % 2), 0, kR + 2.0 * kR * static_cast<double>(i)});
+    for (std::size_t i = 0; i < balls; ++i)
+      builder.ball({aside * static_cast<double>(i % 2), 0, kR + 2.0 * kR * static_cast<double>(i)});
     return withLaw(builder.build(), law);
   }
 
@@ -87,7 +88,10 @@ TEST(PileSqueeze, APlateThatComesDownOnABallDoesNotShootItOut)
   for (const double tick : {1e-2, 1e-3, 1e-4})
   {
     SceneBuilder builder(Method::Impulse);
-    builder.gravity(kG).floor().paddle("plate", cylinderShape(kPlateRadius, kPlate), at({0.01, 0, 0.185})).ball({0, 0, kR});
+    builder.gravity(kG)
+        .floor()
+        .paddle("plate", cylinderShape(kPlateRadius, kPlate), at({0.01, 0, 0.185}))
+        .ball({0, 0, kR});
     Scene scene = builder.build();
     Surface floor, plate;
     floor.restitution = 0.9;
@@ -154,7 +158,8 @@ TEST(PileSqueeze, AStackIsNotShotOut)
                 press.down();
                 press.run({0, 0, 0}, 0.01);
                 const double fall = std::sqrt(2.0 * kG * 2.0 * kR * static_cast<double>(balls));
-                const std::string which = testing::PrintToString(std::vector<double>{1.0 * balls, e, mu, tilt, aside, tick, u});
+                const std::string which =
+                    testing::PrintToString(std::vector<double>{1.0 * balls, e, mu, tilt, aside, tick, u});
                 EXPECT_LE(press.speed, (e < 1.0 && tick > 5e-4 ? 8.5 : 20.0) * u + fall) << which;
                 most = std::max(most, (press.speed - fall) / u);
               }
@@ -171,7 +176,8 @@ TEST(PileSqueeze, AWedgePushesABallOutAsFastAsItMust)
         {
           Press press(1, u, tick, {e, 0.0}, tilt);
           std::size_t squeezed = 0;
-          for (double s = 0.0; s < press.to_floor && std::abs(positionOf(press.world).x()) < 0.15; s += 2.0 * u * tick)  // run() has two ticks
+          for (double s = 0.0; s < press.to_floor && std::abs(positionOf(press.world).x()) < 0.15;
+               s += 2.0 * u * tick)  // run() has two ticks
           {
             press.run({0, 0, -u}, 0.0);
             squeezed = std::max(squeezed, press.squeezed);
@@ -190,7 +196,11 @@ TEST(PileSqueeze, ABallWithAFreeWayIsHitNotSqueezed)
       for (const double u : {0.5, 5.0, 30.0})
       {
         SceneBuilder builder(Method::Impulse);
-        builder.gravity(kG).floor().paddle("plate", boxShape({0.02, 0.2, 0.1}), at({-0.5, 0, 0.051})).ball({0, 0, kR}).ball({1, 0, 1});
+        builder.gravity(kG)
+            .floor()
+            .paddle("plate", boxShape({0.02, 0.2, 0.1}), at({-0.5, 0, 0.051}))
+            .ball({0, 0, kR})
+            .ball({1, 0, 1});
         World world(withLaw(builder.build(), {e, 0.0}));
         for (double x = -0.5; x < 0.3; x += u * tick)
         {
@@ -235,10 +245,12 @@ Scene pressedCrowd(Method method)
   builder.gravity(kG).restitution(0.5).floor();
   const double half = 4 * 0.041;
   for (const double s : {-1.0, 1.0})
-    builder.box("", {0.02, 1, 1}, at({s * (half + 0.01), 0, 0.5})).box("", {1, 0.02, 1}, at({0, s * (half + 0.01), 0.5}));
+    builder.box("", {0.02, 1, 1}, at({s * (half + 0.01), 0, 0.5}))
+        .box("", {1, 0.02, 1}, at({0, s * (half + 0.01), 0.5}));
   builder.paddle("plate", boxShape({2 * half - 0.002, 2 * half - 0.002, 0.02}), at({0, 0, 0.45}));
   for (int i = 0; i < 512; ++i)
-    builder.ball({0.041 * (i % 8 - 3.5), 0.041 * (i / 8 % 8 - 3.5), 0.021 + 0.041 * (i / 64)}, {0.1 * std::sin(i), 0.1 * std::cos(2 * i), 0});
+    builder.ball({0.041 * (i % 8 - 3.5), 0.041 * (i / 8 % 8 - 3.5), 0.021 + 0.041 * (i / 64)},
+                 {0.1 * std::sin(i), 0.1 * std::cos(2 * i), 0});
   return builder.build();
 }
 

@@ -88,15 +88,19 @@ TEST(Pooled, WhatOneThreadTakesAndAnotherGivesBackDoesNotGrow)
   std::vector<Pooled<Value>> values(kValues);
   const auto round = [&]
   {
-    std::thread([&] {
-      for (Pooled<Value>& value : values) value.make();
-    }).join();
+    std::thread(
+        [&]
+        {
+          for (Pooled<Value>& value : values) value.make();
+        })
+        .join();
     for (Pooled<Value>& value : values) value.reset();
   };
   round();
   const long before = allocated;
   for (int i = 0; i < 50; ++i) round();
-  EXPECT_LT(allocated - before, static_cast<long>(kValues * sizeof(Value))) << "50 threads, " << kValues << " values each";
+  EXPECT_LT(allocated - before, static_cast<long>(kValues * sizeof(Value)))
+      << "50 threads, " << kValues << " values each";
 }
 
 TEST(Pooled, ThreadsThatLiveOnExchangeWhatTheyGiveBack)
@@ -105,14 +109,16 @@ TEST(Pooled, ThreadsThatLiveOnExchangeWhatTheyGiveBack)
   std::vector<Pooled<Value>> values(kValues);
   std::atomic<int> turn{0};
   std::atomic<long> after_first{0};
-  std::thread other([&] {
-    for (int i = 0; i < 50; ++i)
-    {
-      while (turn != 2 * i) std::this_thread::yield();
-      for (Pooled<Value>& value : values) value.make();
-      turn = 2 * i + 1;
-    }
-  });
+  std::thread other(
+      [&]
+      {
+        for (int i = 0; i < 50; ++i)
+        {
+          while (turn != 2 * i) std::this_thread::yield();
+          for (Pooled<Value>& value : values) value.make();
+          turn = 2 * i + 1;
+        }
+      });
   for (int i = 0; i < 50; ++i)
   {
     while (turn != 2 * i + 1) std::this_thread::yield();

@@ -1,6 +1,7 @@
 // What holds whatever the numbers: no contact adds energy, mirrored and turned worlds, doubled mass; and the drop tests of the
 // rules in air.
 #include <gtest/gtest.h>
+
 #include <random>
 
 #include "ping_pong_sim/resolve.h"
@@ -315,7 +316,9 @@ TEST(Symmetry, TwiceTheMassHasHalfTheDragAndHalfTheLift)
   BallParams light, heavy;
   heavy.mass = 2.0 * light.mass;
   const Vector3d v(8, -3, 2), w(100, 300, -50);
-  EXPECT_LE((FlightModel(forces, light).acceleration(v, w) - 2.0 * FlightModel(forces, heavy).acceleration(v, w)).norm(), 1e-14);
+  EXPECT_LE(
+      (FlightModel(forces, light).acceleration(v, w) - 2.0 * FlightModel(forces, heavy).acceleration(v, w)).norm(),
+      1e-14);
   // So twice the mass in air of twice the density flies the same.
   Scene thin = rally();
   Scene dense = thin;
@@ -339,7 +342,9 @@ TEST(Symmetry, SizeScalesWithTheDensityOfTheAir)
   large.radius = 2.0 * small.radius;
   large.mass = 4.0 * small.mass;
   const Vector3d v(8, -3, 2), w(100, 300, -50);
-  EXPECT_LE((FlightModel(forces, small).acceleration(v, w) - FlightModel(forces, large).acceleration(v, 0.5 * w)).norm(), 1e-13);
+  EXPECT_LE(
+      (FlightModel(forces, small).acceleration(v, w) - FlightModel(forces, large).acceleration(v, 0.5 * w)).norm(),
+      1e-13);
 }
 
 // --- the rules' drop tests ---

@@ -27,7 +27,7 @@ constexpr std::uint64_t kOfEach = 63;  // scenes of each of 16 categories: 1008
 constexpr double kPatience = 30.0;     // with a scene of about 10 ms, on a machine that does other things, too [s]
 // One scene in 300 is a hair's breadth beyond a bound: slow slips whose direction turns within microseconds, and grips that may
 // press on each other as much as they like (docs/physics.md, "several answers"). None may do worse than that.
-constexpr int kMostBeyond = 1;         // of a category
+constexpr int kMostBeyond = 1;  // of a category
 
 std::uint64_t numberOf(std::uint64_t category, std::uint64_t round)
 {
@@ -39,8 +39,8 @@ std::uint64_t numberOf(std::uint64_t category, std::uint64_t round)
 // What may not happen at all.
 bool failsBadly(Verdict verdict)
 {
-  for (const Check check : {Check::Storm, Check::Depth, Check::Through, Check::State, Check::Record, Check::SameBits, Check::Squeezed,
-                            Check::Hung, Check::Crashed})
+  for (const Check check : {Check::Storm, Check::Depth, Check::Through, Check::State, Check::Record, Check::SameBits,
+                            Check::Squeezed, Check::Hung, Check::Crashed})
     if (verdict.of(check).broken) return true;
   return false;
 }
@@ -103,7 +103,8 @@ TEST_P(ScenesOnceBroken, AreRight)
 {
   watched(
       {GetParam().index, 1, 1, kPatience}, [](std::uint64_t i) { return judge(randomScene(kSeed, i)); },
-      [](std::uint64_t i, const Verdict& verdict) { EXPECT_FALSE(verdict.failed()) << failureLine(kSeed, i, verdict) << GetParam().fault; });
+      [](std::uint64_t i, const Verdict& verdict)
+      { EXPECT_FALSE(verdict.failed()) << failureLine(kSeed, i, verdict) << GetParam().fault; });
 }
 
 TEST(RandomScenes, AreAFunctionOfSeedAndNumber)

@@ -266,7 +266,8 @@ TEST(Resting, ATurningPaddleCarriesABallOnItsCircleAndItsEnergyChangesByTheWorkD
   const double turned = angle(ticks * tick);
   const Vector3d expected(x * std::cos(turned) + h * std::sin(turned), 0, -x * std::sin(turned) + h * std::cos(turned));
   measured("ball on a turning seesaw, position error after 0.4 s [m]", (positionOf(world) - expected).norm());
-  EXPECT_LE((positionOf(world) - expected).norm(), 1e-13);  // 400 ticks, a rounding each: the pieces of its path are of high order
+  EXPECT_LE((positionOf(world) - expected).norm(),
+            1e-13);  // 400 ticks, a rounding each: the pieces of its path are of high order
 }
 }  // namespace
 }  // namespace ping_pong

@@ -1,5 +1,6 @@
 // The same scene gives the same bits on every run; the order of lists does not matter.
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstring>

@@ -320,9 +320,10 @@ TEST_F(SceneLoader, ComputesNoForceThatIsNotListed)
 
 TEST_F(SceneLoader, ReadsForces)
 {
-  const Forces f = forcesOf("forces:\n  gravity: 9.81\n  air: {density: 1.1, viscosity: 1.6e-5}\n"
-                            "  drag: {coefficient: 0.5}\n  magnus: {law: saturating, slope: 2, saturation: 6}\n"
-                            "  buoyancy: true\n  added_mass: true\n  spin_decay: 0.15\n  wind: [1, -2, 0.5]\n");
+  const Forces f = forcesOf(
+      "forces:\n  gravity: 9.81\n  air: {density: 1.1, viscosity: 1.6e-5}\n"
+      "  drag: {coefficient: 0.5}\n  magnus: {law: saturating, slope: 2, saturation: 6}\n"
+      "  buoyancy: true\n  added_mass: true\n  spin_decay: 0.15\n  wind: [1, -2, 0.5]\n");
   EXPECT_EQ(f.air_density, 1.1);
   EXPECT_EQ(f.air_viscosity, 1.6e-5);
   EXPECT_TRUE(f.drag && f.magnus && f.buoyancy && f.added_mass);
@@ -359,8 +360,9 @@ TEST_F(SceneLoader, ReadsDragThatGrowsWithSpin)
 
 TEST_F(SceneLoader, ReadsADragTableRowByReynoldsNumber)
 {
-  const DragLaw law = forcesOf("forces: {drag: {table: {reynolds: [1e4, 2e4], spin_ratio: [0, 0.5, 1],\n"
-                               "  values: [[0.4, 0.5, 0.6], [0.3, 0.4, 0.7]]}}}")
+  const DragLaw law = forcesOf(
+                          "forces: {drag: {table: {reynolds: [1e4, 2e4], spin_ratio: [0, 0.5, 1],\n"
+                          "  values: [[0.4, 0.5, 0.6], [0.3, 0.4, 0.7]]}}}")
                           .drag_law;
   EXPECT_EQ(law.at(0.0, 0.0), 0.4);
   EXPECT_EQ(law.at(1e4, 1.0), 0.6);
@@ -372,10 +374,10 @@ TEST_F(SceneLoader, ReadsADragTableRowByReynoldsNumber)
 TEST_F(SceneLoader, WorksOutTheAirFromTemperatureAndAltitude)
 {
   const auto air = [&](const std::string& text) { return forcesOf("forces: {air: " + text + "}"); };
-  EXPECT_NEAR(air("{temperature: 20}").air_density, 1.2041, 1e-4);          // tables of dry air, 4 digits
+  EXPECT_NEAR(air("{temperature: 20}").air_density, 1.2041, 1e-4);  // tables of dry air, 4 digits
   EXPECT_NEAR(air("{temperature: 25}").air_density, 1.1839, 1e-4);
   EXPECT_NEAR(air("{temperature: 5.25, altitude: 1500}").air_density, 1.0581, 2e-4);  // ICAO standard atmosphere
-  EXPECT_NEAR(air("{temperature: 20}").air_viscosity, 1.51e-5, 1e-7);       // sources differ by 1 %
+  EXPECT_NEAR(air("{temperature: 20}").air_viscosity, 1.51e-5, 1e-7);                 // sources differ by 1 %
   EXPECT_EQ(air("{altitude: 800}").air_density, air("{temperature: 20, altitude: 800}").air_density);
   EXPECT_EQ(air("{temperature: 25, viscosity: 1e-5}").air_viscosity, 1e-5);
   EXPECT_EQ(air("{}").air_density, Forces().air_density);
@@ -389,10 +391,10 @@ TEST_F(SceneLoader, KnowsFlightPresets)
     double drag, lift;  ///< C_D and C_L at S = 0.4
   };
   const double with_spin = 0.33 + 0.20 * 36.0 / 37.0;  // S = 6 half_at
-  for (const Known& known : {Known{"table_rally", with_spin, 0.333 * 7.3 * 0.4 / 3.92}, Known{"default", with_spin, 0.24806},
-                             Known{"table_rally_constant_drag", 0.53, 0.24806},
-                             Known{"half_saturating", 0.44, 0.4 / 1.8}, Known{"tebbe", 0.40, 0.24},
-                             Known{"mujoco_deepmind", 0.47, 0.532}, Known{"ace", 0.55, 0.267}})
+  for (const Known& known :
+       {Known{"table_rally", with_spin, 0.333 * 7.3 * 0.4 / 3.92}, Known{"default", with_spin, 0.24806},
+        Known{"table_rally_constant_drag", 0.53, 0.24806}, Known{"half_saturating", 0.44, 0.4 / 1.8},
+        Known{"tebbe", 0.40, 0.24}, Known{"mujoco_deepmind", 0.47, 0.532}, Known{"ace", 0.55, 0.267}})
   {
     SCOPED_TRACE(known.name);
     const std::string name = known.name;
@@ -448,9 +450,9 @@ TEST_F(SceneLoader, KnowsSurfacePresets)
     const char* name;
     double e, mu, e_t;  ///< e at 2.4 m/s
   };
-  for (const Known& known : {Known{"table_match", 0.942, 0.24, 0.15}, Known{"table_rigid", 0.932, 0.24, 0}, Known{"table_ittf", 0.905, 0.25, 0},
-                             Known{"rubber_inverted", 0.86492, INFINITY, 0.70}, Known{"net", 0.1, 0.3, 0},
-                             Known{"floor", 0.8, 0.4, 0}, Known{"wall", 0.8, 0.4, 0}})
+  for (const Known& known : {Known{"table_match", 0.942, 0.24, 0.15}, Known{"table_rigid", 0.932, 0.24, 0},
+                             Known{"table_ittf", 0.905, 0.25, 0}, Known{"rubber_inverted", 0.86492, INFINITY, 0.70},
+                             Known{"net", 0.1, 0.3, 0}, Known{"floor", 0.8, 0.4, 0}, Known{"wall", 0.8, 0.4, 0}})
   {
     SCOPED_TRACE(known.name);
     const Surface surface = surfaceOf(load(ballOnFloor("preset: " + std::string(known.name))));
@@ -502,7 +504,8 @@ const BadScene kBadScenes[] = {
     {"not a map", kScene, "- 1", 1, "scene", "[1]", "a map with the keys name"},
     {"empty", kScene, "", 1, "scene", "0 documents", "one YAML document"},
     {"two documents", "dt: 0.002", "---\ndt: 0.002", 1, "scene", "2 documents", "one YAML document"},
-    {"a comma where a document should be", kScene, ", a", 1, "scene", "2 documents", "one YAML document"},  // endless in yaml-cpp 0.7
+    {"a comma where a document should be", kScene, ", a", 1, "scene", "2 documents",
+     "one YAML document"},  // endless in yaml-cpp 0.7
     {"deep nesting", "dt: 0.002", "dt: " + std::string(5000, '['), 31, "scene", "[", "at most 100 nested brackets"},
     {"alias without anchor", "dt: 0.002", "dt: *x", 31, "scene", "", ""},
     // types
@@ -524,18 +527,20 @@ const BadScene kBadScenes[] = {
     // not finite
     {"NaN", "[0, 0, 0.5]", "[0, .nan, 0.5]", 8, "bodies[0].position[1]", ".nan", "a finite number"},
     {"infinite position", "[0, 0, 2]", "[0, 0, .inf]", 16, "balls[0].position[2]", ".inf", "a finite number"},
-    {"NaN start", "    rpy:", "    velocity: [0, 0, .nan]\n    rpy:", 13, "bodies[1].velocity[2]", ".nan", "a finite number"},
-    {"infinite start", "    rpy:", "    angular_velocity: [.inf, 0, 0]\n    rpy:", 13, "bodies[1].angular_velocity[0]", ".inf",
+    {"NaN start", "    rpy:", "    velocity: [0, 0, .nan]\n    rpy:", 13, "bodies[1].velocity[2]", ".nan",
      "a finite number"},
+    {"infinite start", "    rpy:", "    angular_velocity: [.inf, 0, 0]\n    rpy:", 13, "bodies[1].angular_velocity[0]",
+     ".inf", "a finite number"},
     {"start of two components", "    rpy:", "    velocity: [1, 2]\n    rpy:", 13, "bodies[1].velocity", "[1, 2]",
      "three numbers [x, y, z]"},
     {"start of one number", "    rpy:", "    angular_velocity: 3\n    rpy:", 13, "bodies[1].angular_velocity", "3",
      "three numbers [x, y, z]"},
-    {"start as text", "    rpy:", "    velocity: [fast, 0, 0]\n    rpy:", 13, "bodies[1].velocity[0]", "fast", "a finite number"},
-    {"start above the limit", "    rpy:", "    velocity: [0, -12, 16.01]\n    rpy:", 13, "bodies[1].velocity", "[0, -12, 16.01]",
-     "at most 20 m/s, what the limits of the body allow"},
-    {"turn above the default limit", "    rpy:", "    angular_velocity: [0, 0, 60.01]\n    rpy:", 13, "bodies[1].angular_velocity",
-     "[0, 0, 60.01]", "at most 60 rad/s, what the limits of the body allow"},
+    {"start as text", "    rpy:", "    velocity: [fast, 0, 0]\n    rpy:", 13, "bodies[1].velocity[0]", "fast",
+     "a finite number"},
+    {"start above the limit", "    rpy:", "    velocity: [0, -12, 16.01]\n    rpy:", 13, "bodies[1].velocity",
+     "[0, -12, 16.01]", "at most 20 m/s, what the limits of the body allow"},
+    {"turn above the default limit", "    rpy:", "    angular_velocity: [0, 0, 60.01]\n    rpy:", 13,
+     "bodies[1].angular_velocity", "[0, 0, 60.01]", "at most 60 rad/s, what the limits of the body allow"},
     {"overflow", "[0, 0, 2]", "[0, 0, 1e999]", 16, "balls[0].position[2]", "1e999", "a finite number"},
     {"NaN limit", "speed: 20", "speed: .nan", 14, "bodies[1].limits.speed", ".nan", "a number > 0 or .inf"},
     {"infinite velocity", "3e-1", "-.inf", 17, "balls[0].velocity[2]", "-.inf", "a finite number"},
@@ -589,8 +594,8 @@ const BadScene kBadScenes[] = {
     {"kind", "kind: static", "kind: dynamic", 7, "bodies[0].kind", "dynamic", "static or kinematic"},
     {"limits of furniture", "    kind: static\n", "    kind: static\n    limits: {}\n", 8, "bodies[0].limits", "a map",
      "no limits unless"},
-    {"furniture in motion", "    kind: static\n", "    kind: static\n    velocity: [0, 0, 0]\n", 8, "bodies[0].velocity",
-     "[0, 0, 0]", "no motion unless the kind is kinematic"},
+    {"furniture in motion", "    kind: static\n", "    kind: static\n    velocity: [0, 0, 0]\n", 8,
+     "bodies[0].velocity", "[0, 0, 0]", "no motion unless the kind is kinematic"},
     {"furniture that turns", "    kind: static\n", "    angular_velocity: [0, 0, 1]\n    kind: static\n", 7,
      "bodies[0].angular_velocity", "[0, 0, 1]", "no motion unless the kind is kinematic"},
     {"pattern and more", "- random: {", "- mass: 1\n    random: {", 24, "balls[2].mass", "unknown key",
@@ -602,7 +607,8 @@ const BadScene kBadScenes[] = {
     {"name with digit first", "name: box", "name: 1box", 5, "bodies[0].name", "1box", "a frame name of letters"},
     {"world", "name: box", "name: world", 5, "bodies[0].name", "world", "a name other than world"},
     {"name of a ball", "name: box", "name: ball_12", 5, "bodies[0].name", "ball_12", "a name other than world"},
-    {"name of the newest ball", "name: box", "name: newest_ball", 5, "bodies[0].name", "newest_ball", "a name other than world"},
+    {"name of the newest ball", "name: box", "name: newest_ball", 5, "bodies[0].name", "newest_ball",
+     "a name other than world"},
     {"second floor", "name: box", "name: floor", 3, "floor", "a map", "no body of the name floor"},
     // surfaces
     {"unknown material", "[ball, any]", "[ball, ice]", 26, "surfaces[0].pair[1]", "ice",
@@ -615,60 +621,109 @@ const BadScene kBadScenes[] = {
     {"ball named any", "material: rubber", "material: any", 22, "balls[0].material", "any", "the name of a material"},
     {"uncovered body", "[any, any]", "[handle, handle]", 26, "surfaces", "a list", "a restitution for [wood, rubber]"},
     // forces
-    {"number for drag", "{gravity: 9.81}", "{drag: 0.5}", 2, "forces.drag", "0.5", "{coefficient: ...}, {without_spin: ..., with_spin: ..., half_at: ...}, {table: ...}, or one of default, table_rally"},
-    {"unknown drag", "{gravity: 9.81}", "{drag: viscous}", 2, "forces.drag", "viscous", "{coefficient: ...}, {without_spin: ..., with_spin: ..., half_at: ...}, {table: ...}, or one of default, table_rally"},
+    {"number for drag", "{gravity: 9.81}", "{drag: 0.5}", 2, "forces.drag", "0.5",
+     "{coefficient: ...}, {without_spin: ..., with_spin: ..., half_at: ...}, {table: ...}, or one of default, "
+     "table_rally"},
+    {"unknown drag", "{gravity: 9.81}", "{drag: viscous}", 2, "forces.drag", "viscous",
+     "{coefficient: ...}, {without_spin: ..., with_spin: ..., half_at: ...}, {table: ...}, or one of default, "
+     "table_rally"},
     {"drag of true", "{gravity: 9.81}", "{drag: true}", 2, "forces.drag", "true", "{coefficient: ...}"},
     {"no drag", "{gravity: 9.81}", "{drag:}", 2, "forces.drag", "nothing", "a text"},
     {"empty drag", "{gravity: 9.81}", "{drag: {}}", 2, "forces.drag", "a map", "one of {coefficient: ...}"},
-    {"half a drag", "{gravity: 9.81}", "{drag: {with_spin: 0.5, half_at: 0.1}}", 2, "forces.drag.without_spin", "missing", "C_D without spin"},
-    {"drag that never grows", "{gravity: 9.81}", "{drag: {without_spin: 0.3, with_spin: 0.5, half_at: 0}}", 2, "forces.drag.half_at", "0", "a finite number > 0"},
-    {"pushing drag", "{gravity: 9.81}", "{drag: {coefficient: -1}}", 2, "forces.drag.coefficient", "-1", "a finite number >= 0"},
-    {"NaN drag", "{gravity: 9.81}", "{drag: {coefficient: .nan}}", 2, "forces.drag.coefficient", ".nan", "a finite number >= 0"},
-    {"two drags", "{gravity: 9.81}", "{drag: {coefficient: 1, table: {}}}", 2, "forces.drag", "a map", "one of {coefficient: ...}"},
-    {"drag table without rows", "{gravity: 9.81}", "{drag: {table: {reynolds: [], spin_ratio: [0], values: []}}}", 2, "forces.drag.table.reynolds", "[]", "a list of at least one number"},
-    {"drag table not increasing", "{gravity: 9.81}", "{drag: {table: {reynolds: [1, 1], spin_ratio: [0], values: [[1], [1]]}}}", 2, "forces.drag.table.reynolds[1]", "1", "a number above the one before it"},
-    {"drag table with few rows", "{gravity: 9.81}", "{drag: {table: {reynolds: [1, 2], spin_ratio: [0], values: [[1]]}}}", 2, "forces.drag.table.values", "a list", "2 rows, one for each Reynolds number"},
-    {"drag table with few columns", "{gravity: 9.81}", "{drag: {table: {reynolds: [1, 2], spin_ratio: [0, 1], values: [[1, 1], [1]]}}}", 2, "forces.drag.table.values[1]", "[1]", "2 numbers, one for each spin ratio"},
-    {"drag table with flat values", "{gravity: 9.81}", "{drag: {table: {reynolds: [1], spin_ratio: [0], values: [1]}}}", 2, "forces.drag.table.values[0]", "1", "1 numbers"},
-    {"drag table without values", "{gravity: 9.81}", "{drag: {table: {reynolds: [1], spin_ratio: [0]}}}", 2, "forces.drag.table.values", "missing", "1 rows"},
-    {"unknown law", "{gravity: 9.81}", "{magnus: {law: cubic}}", 2, "forces.magnus.law", "cubic", "linear, saturating, constant, or table"},
-    {"no law", "{gravity: 9.81}", "{magnus: {slope: 1}}", 2, "forces.magnus.law", "missing", "linear, saturating, constant, or table"},
-    {"unknown magnus", "{gravity: 9.81}", "{magnus: strong}", 2, "forces.magnus", "strong", "{law: ...}, or one of default, table_rally"},
-    {"no slope", "{gravity: 9.81}", "{magnus: {law: linear}}", 2, "forces.magnus.slope", "missing", "dC_L/dS, a number"},
-    {"linear with saturation", "{gravity: 9.81}", "{magnus: {law: linear, slope: 1, saturation: 1}}", 2, "forces.magnus.saturation", "unknown key", "one of law, slope"},
-    {"infinite slope", "{gravity: 9.81}", "{magnus: {law: linear, slope: .inf}}", 2, "forces.magnus.slope", ".inf", "a finite number"},
-    {"negative saturation", "{gravity: 9.81}", "{magnus: {law: saturating, slope: 1, saturation: -1}}", 2, "forces.magnus.saturation", "-1", "a finite number >= 0"},
-    {"no coefficient", "{gravity: 9.81}", "{magnus: {law: constant}}", 2, "forces.magnus.coefficient", "missing", "C_L, a number"},
-    {"lift table from zero", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [0, 1], values: [0, 1]}}", 2, "forces.magnus.spin_ratio[0]", "0", "a finite number > 0"},
-    {"lift table not increasing", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [2, 1], values: [0, 1]}}", 2, "forces.magnus.spin_ratio[1]", "1", "a number above the one before it"},
-    {"lift table too long", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [1], values: [0, 1]}}", 2, "forces.magnus.values", "[0, 1]", "1 numbers, one for each spin ratio"},
-    {"unknown preset", "{gravity: 9.81}", "{preset: golf}", 2, "forces.preset", "golf", "one of default, table_rally, table_rally_constant_drag, half_saturating, tebbe, mujoco_deepmind, ace"},
-    {"preset and drag", "{gravity: 9.81}", "{preset: ace, drag: {coefficient: 1}}", 2, "forces.preset", "ace", "no preset beside drag or magnus"},
-    {"preset and magnus", "{gravity: 9.81}", "{magnus: ace, preset: ace}", 2, "forces.preset", "ace", "no preset beside drag or magnus"},
+    {"half a drag", "{gravity: 9.81}", "{drag: {with_spin: 0.5, half_at: 0.1}}", 2, "forces.drag.without_spin",
+     "missing", "C_D without spin"},
+    {"drag that never grows", "{gravity: 9.81}", "{drag: {without_spin: 0.3, with_spin: 0.5, half_at: 0}}", 2,
+     "forces.drag.half_at", "0", "a finite number > 0"},
+    {"pushing drag", "{gravity: 9.81}", "{drag: {coefficient: -1}}", 2, "forces.drag.coefficient", "-1",
+     "a finite number >= 0"},
+    {"NaN drag", "{gravity: 9.81}", "{drag: {coefficient: .nan}}", 2, "forces.drag.coefficient", ".nan",
+     "a finite number >= 0"},
+    {"two drags", "{gravity: 9.81}", "{drag: {coefficient: 1, table: {}}}", 2, "forces.drag", "a map",
+     "one of {coefficient: ...}"},
+    {"drag table without rows", "{gravity: 9.81}", "{drag: {table: {reynolds: [], spin_ratio: [0], values: []}}}", 2,
+     "forces.drag.table.reynolds", "[]", "a list of at least one number"},
+    {"drag table not increasing", "{gravity: 9.81}",
+     "{drag: {table: {reynolds: [1, 1], spin_ratio: [0], values: [[1], [1]]}}}", 2, "forces.drag.table.reynolds[1]",
+     "1", "a number above the one before it"},
+    {"drag table with few rows", "{gravity: 9.81}",
+     "{drag: {table: {reynolds: [1, 2], spin_ratio: [0], values: [[1]]}}}", 2, "forces.drag.table.values", "a list",
+     "2 rows, one for each Reynolds number"},
+    {"drag table with few columns", "{gravity: 9.81}",
+     "{drag: {table: {reynolds: [1, 2], spin_ratio: [0, 1], values: [[1, 1], [1]]}}}", 2, "forces.drag.table.values[1]",
+     "[1]", "2 numbers, one for each spin ratio"},
+    {"drag table with flat values", "{gravity: 9.81}", "{drag: {table: {reynolds: [1], spin_ratio: [0], values: [1]}}}",
+     2, "forces.drag.table.values[0]", "1", "1 numbers"},
+    {"drag table without values", "{gravity: 9.81}", "{drag: {table: {reynolds: [1], spin_ratio: [0]}}}", 2,
+     "forces.drag.table.values", "missing", "1 rows"},
+    {"unknown law", "{gravity: 9.81}", "{magnus: {law: cubic}}", 2, "forces.magnus.law", "cubic",
+     "linear, saturating, constant, or table"},
+    {"no law", "{gravity: 9.81}", "{magnus: {slope: 1}}", 2, "forces.magnus.law", "missing",
+     "linear, saturating, constant, or table"},
+    {"unknown magnus", "{gravity: 9.81}", "{magnus: strong}", 2, "forces.magnus", "strong",
+     "{law: ...}, or one of default, table_rally"},
+    {"no slope", "{gravity: 9.81}", "{magnus: {law: linear}}", 2, "forces.magnus.slope", "missing",
+     "dC_L/dS, a number"},
+    {"linear with saturation", "{gravity: 9.81}", "{magnus: {law: linear, slope: 1, saturation: 1}}", 2,
+     "forces.magnus.saturation", "unknown key", "one of law, slope"},
+    {"infinite slope", "{gravity: 9.81}", "{magnus: {law: linear, slope: .inf}}", 2, "forces.magnus.slope", ".inf",
+     "a finite number"},
+    {"negative saturation", "{gravity: 9.81}", "{magnus: {law: saturating, slope: 1, saturation: -1}}", 2,
+     "forces.magnus.saturation", "-1", "a finite number >= 0"},
+    {"no coefficient", "{gravity: 9.81}", "{magnus: {law: constant}}", 2, "forces.magnus.coefficient", "missing",
+     "C_L, a number"},
+    {"lift table from zero", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [0, 1], values: [0, 1]}}", 2,
+     "forces.magnus.spin_ratio[0]", "0", "a finite number > 0"},
+    {"lift table not increasing", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [2, 1], values: [0, 1]}}", 2,
+     "forces.magnus.spin_ratio[1]", "1", "a number above the one before it"},
+    {"lift table too long", "{gravity: 9.81}", "{magnus: {law: table, spin_ratio: [1], values: [0, 1]}}", 2,
+     "forces.magnus.values", "[0, 1]", "1 numbers, one for each spin ratio"},
+    {"unknown preset", "{gravity: 9.81}", "{preset: golf}", 2, "forces.preset", "golf",
+     "one of default, table_rally, table_rally_constant_drag, half_saturating, tebbe, mujoco_deepmind, ace"},
+    {"preset and drag", "{gravity: 9.81}", "{preset: ace, drag: {coefficient: 1}}", 2, "forces.preset", "ace",
+     "no preset beside drag or magnus"},
+    {"preset and magnus", "{gravity: 9.81}", "{magnus: ace, preset: ace}", 2, "forces.preset", "ace",
+     "no preset beside drag or magnus"},
     {"wind of one number", "{gravity: 9.81}", "{wind: 3}", 2, "forces.wind", "3", "three numbers [x, y, z]"},
     {"growing spin", "{gravity: 9.81}", "{spin_decay: -0.1}", 2, "forces.spin_decay", "-0.1", "a finite number >= 0"},
     {"buoyancy of one", "{gravity: 9.81}", "{buoyancy: 1}", 2, "forces.buoyancy", "1", "true or false"},
     {"quoted added mass", "{gravity: 9.81}", "{added_mass: 'true'}", 2, "forces.added_mass", "true", "true or false"},
     {"no air", "{gravity: 9.81}", "{air: {density: 0}}", 2, "forces.air.density", "0", "a finite number > 0"},
     {"ideal air", "{gravity: 9.81}", "{air: {viscosity: 0}}", 2, "forces.air.viscosity", "0", "a finite number > 0"},
-    {"two airs", "{gravity: 9.81}", "{air: {density: 1, temperature: 20}}", 2, "forces.air.temperature", "20", "either density or temperature"},
-    {"two airs again", "{gravity: 9.81}", "{air: {density: 1, altitude: 20}}", 2, "forces.air.altitude", "20", "either density or temperature"},
-    {"air in kelvin", "{gravity: 9.81}", "{air: {temperature: 293}}", 2, "forces.air.temperature", "293", "a number from -100 to 100"},
-    {"air in space", "{gravity: 9.81}", "{air: {altitude: 1e5}}", 2, "forces.air.altitude", "1e5", "a number from -500 to 11000"},
+    {"two airs", "{gravity: 9.81}", "{air: {density: 1, temperature: 20}}", 2, "forces.air.temperature", "20",
+     "either density or temperature"},
+    {"two airs again", "{gravity: 9.81}", "{air: {density: 1, altitude: 20}}", 2, "forces.air.altitude", "20",
+     "either density or temperature"},
+    {"air in kelvin", "{gravity: 9.81}", "{air: {temperature: 293}}", 2, "forces.air.temperature", "293",
+     "a number from -100 to 100"},
+    {"air in space", "{gravity: 9.81}", "{air: {altitude: 1e5}}", 2, "forces.air.altitude", "1e5",
+     "a number from -500 to 11000"},
     // contact laws
-    {"growing e", "restitution: 0.8", "restitution: 0.8, restitution_slope: -0.1", 26, "surfaces[0].restitution_slope", "-0.1", "a finite number >= 0"},
-    {"negative friction", "restitution: 0.8", "restitution: 0.8, friction: -0.1", 26, "surfaces[0].friction", "-0.1", "a number >= 0 or .inf"},
-    {"NaN friction", "restitution: 0.8", "restitution: 0.8, friction: .nan", 26, "surfaces[0].friction", ".nan", "a number >= 0 or .inf"},
-    {"e_t too large", "restitution: 0.8", "restitution: 0.8, friction: 1, tangential_restitution: 1.1", 26, "surfaces[0].tangential_restitution", "1.1", "a number from -1 to 1"},
-    {"e_t without friction", "restitution: 0.8", "restitution: 0.8, tangential_restitution: 0.5", 26, "surfaces[0].tangential_restitution", "0.5", "it only beside a friction > 0"},
-    {"rolling without friction", "restitution: 0.8", "restitution: 0.8, friction: 0, rolling_resistance: 0.5", 26, "surfaces[0].rolling_resistance", "0.5", "it only beside a friction > 0"},
-    {"negative rolling resistance", "restitution: 0.8", "restitution: 0.8, friction: 1, rolling_resistance: -1", 26, "surfaces[0].rolling_resistance", "-1", "a finite number >= 0"},
-    {"spin without friction", "restitution: 0.8", "restitution: 0.8, spin_friction: 0.5", 26, "surfaces[0].spin_friction", "0.5", "it only beside a friction > 0"},
-    {"infinite spin friction", "restitution: 0.8", "restitution: 0.8, friction: 1, spin_friction: .inf", 26, "surfaces[0].spin_friction", ".inf", "a finite number >= 0"},
-    {"unknown surface", "restitution: 0.8", "preset: ice", 26, "surfaces[0].preset", "ice", "one of table_match, table_rigid, table_ittf, rubber_inverted, net, floor, wall"},
-    {"preset and restitution", "restitution: 0.8", "preset: net, restitution: 0.8", 26, "surfaces[0].restitution", "unknown key", "one of pair, preset"},
-    {"preset and friction", "restitution: 0.8", "friction: 0.1, preset: net", 26, "surfaces[0].friction", "unknown key", "one of pair, preset"},
-    {"friction alone", "restitution: 0.8", "friction: 0.1", 26, "surfaces[0].restitution", "missing", "a number from 0 to 1, or a preset"},
+    {"growing e", "restitution: 0.8", "restitution: 0.8, restitution_slope: -0.1", 26, "surfaces[0].restitution_slope",
+     "-0.1", "a finite number >= 0"},
+    {"negative friction", "restitution: 0.8", "restitution: 0.8, friction: -0.1", 26, "surfaces[0].friction", "-0.1",
+     "a number >= 0 or .inf"},
+    {"NaN friction", "restitution: 0.8", "restitution: 0.8, friction: .nan", 26, "surfaces[0].friction", ".nan",
+     "a number >= 0 or .inf"},
+    {"e_t too large", "restitution: 0.8", "restitution: 0.8, friction: 1, tangential_restitution: 1.1", 26,
+     "surfaces[0].tangential_restitution", "1.1", "a number from -1 to 1"},
+    {"e_t without friction", "restitution: 0.8", "restitution: 0.8, tangential_restitution: 0.5", 26,
+     "surfaces[0].tangential_restitution", "0.5", "it only beside a friction > 0"},
+    {"rolling without friction", "restitution: 0.8", "restitution: 0.8, friction: 0, rolling_resistance: 0.5", 26,
+     "surfaces[0].rolling_resistance", "0.5", "it only beside a friction > 0"},
+    {"negative rolling resistance", "restitution: 0.8", "restitution: 0.8, friction: 1, rolling_resistance: -1", 26,
+     "surfaces[0].rolling_resistance", "-1", "a finite number >= 0"},
+    {"spin without friction", "restitution: 0.8", "restitution: 0.8, spin_friction: 0.5", 26,
+     "surfaces[0].spin_friction", "0.5", "it only beside a friction > 0"},
+    {"infinite spin friction", "restitution: 0.8", "restitution: 0.8, friction: 1, spin_friction: .inf", 26,
+     "surfaces[0].spin_friction", ".inf", "a finite number >= 0"},
+    {"unknown surface", "restitution: 0.8", "preset: ice", 26, "surfaces[0].preset", "ice",
+     "one of table_match, table_rigid, table_ittf, rubber_inverted, net, floor, wall"},
+    {"preset and restitution", "restitution: 0.8", "preset: net, restitution: 0.8", 26, "surfaces[0].restitution",
+     "unknown key", "one of pair, preset"},
+    {"preset and friction", "restitution: 0.8", "friction: 0.1, preset: net", 26, "surfaces[0].friction", "unknown key",
+     "one of pair, preset"},
+    {"friction alone", "restitution: 0.8", "friction: 0.1", 26, "surfaces[0].restitution", "missing",
+     "a number from 0 to 1, or a preset"},
     // overlap; ball_0 has a radius of 30 mm
     {"ball in box", "[0, 0, 2]", "[0, 0, 1.02]", 16, "balls[0].position", "[0, 0, 1.02]",
      "no overlap, but ball_0 is 10 mm deep in box"},

@@ -7,15 +7,15 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kTick = 0.01;  // [s]
+constexpr double kTick = 0.01;   // [s]
 constexpr double kSame = 1e-13;  // rounding of a metre and of 0.5 m/s over 150 ticks and a few dozen seams
 
 enum class Deck
 {
   OneBoard,
-  Planks,          ///< 26 of 0.1 m across x, of one body
-  PlanksOfTwo,     ///< the same, of two bodies in turn
-  Tiles            ///< of 0.1 m by 0.1 m, of one body
+  Planks,       ///< 26 of 0.1 m across x, of one body
+  PlanksOfTwo,  ///< the same, of two bodies in turn
+  Tiles         ///< of 0.1 m by 0.1 m, of one body
 };
 
 Shape board(const Vector3d& size, double x, double y)
@@ -107,7 +107,8 @@ TEST(Seams, OfABodyThatMovesAreNotThere)
   double worst = 0.0;
   for (const Deck deck : {Deck::Planks, Deck::Tiles})
     for (const double mu : {0.0, 0.3})
-      worst = std::max(worst, differenceFromOneBoard(deck, at({0, 0, 0}), rough(0.8, mu), {{-0.3, 0.1, 0.2}, Vector3d::Zero()}));
+      worst = std::max(
+          worst, differenceFromOneBoard(deck, at({0, 0, 0}), rough(0.8, mu), {{-0.3, 0.1, 0.2}, Vector3d::Zero()}));
   measured("difference from one board", worst);
   EXPECT_LE(worst, 10.0 * kSame);
 }
@@ -117,12 +118,13 @@ TEST(Seams, ABallComesToRestOnOneAsOnABoard)
   // Within 2 nm of the seam both faces are as near as the edge between them, to a rounding.
   for (const double off : {0.0, 1e-8, -1e-8, 1e-6})
   {
-    World world(SceneBuilder()
-                    .gravity(kG)
-                    .restitution(0.5)
-                    .body("deck", BodyKind::Static, {board({1, 1, 0.1}, -0.5, 0), board({1, 1, 0.1}, 0.5, 0)}, at({0, 0, 0}))
-                    .ball({off, 0, kR + 0.1})
-                    .build());
+    World world(
+        SceneBuilder()
+            .gravity(kG)
+            .restitution(0.5)
+            .body("deck", BodyKind::Static, {board({1, 1, 0.1}, -0.5, 0), board({1, 1, 0.1}, 0.5, 0)}, at({0, 0, 0}))
+            .ball({off, 0, kR + 0.1})
+            .build());
     const Sum sum = runFor(world, 3.0, kTick);
     EXPECT_TRUE(sum.ok);
     EXPECT_TRUE(world.resting(0)) << off;

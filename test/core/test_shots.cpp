@@ -1,6 +1,7 @@
 // The named shots: typical speed and spin, over the net, onto the player's half. And what is drawn and scattered from
 // them.
 #include <gtest/gtest.h>
+
 #include <set>
 
 #include "ping_pong_sim/shots.h"

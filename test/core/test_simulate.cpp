@@ -226,8 +226,8 @@ protected:
   {
     folder_.write("commands.csv", kCommandHeader + rows);
     std::filesystem::remove(contacts());
-    return simulate("'" + folder_.path("scene.yaml") + "' --commands '" + folder_.path("commands.csv") + "' --contacts '" +
-                    contacts() + "' " + arguments);
+    return simulate("'" + folder_.path("scene.yaml") + "' --commands '" + folder_.path("commands.csv") +
+                    "' --contacts '" + contacts() + "' " + arguments);
   }
   std::string contacts() const { return folder_.path("contacts.csv"); }
 
@@ -241,8 +241,10 @@ TEST_F(Commanded, AccelerationsActFromTheirVeryInstantsOn)
   const double v = std::sqrt(v1 * v1 + 2.0 * (0.5 - x1));
   for (const std::string rate : {"1", "10", "333"})
   {
-    const Output output = run("0.1234567,bat,acceleration,,,,,,,,,,,,,,4,0,0,0,0,0\n"
-                              "0.3,bat,acceleration,,,,,,,,,,,,,,1,0,0,0,0,0\n", "--duration 1 --rate " + rate);
+    const Output output =
+        run("0.1234567,bat,acceleration,,,,,,,,,,,,,,4,0,0,0,0,0\n"
+            "0.3,bat,acceleration,,,,,,,,,,,,,,1,0,0,0,0,0\n",
+            "--duration 1 --rate " + rate);
     EXPECT_EQ(output.status, 0) << output.err;
     const std::vector<std::string> hits = contactsWith("bat", textOf(contacts()));
     ASSERT_EQ(hits.size(), 1u) << rate;
@@ -255,9 +257,12 @@ TEST_F(Commanded, AccelerationsActFromTheirVeryInstantsOn)
 TEST_F(Commanded, CommandsAtZeroPrecedeTheFirstTickAndEachHoldsUntilTheNext)
 {
   // Without limits a velocity is there after the first piece of 2 ms, and of 1 ms at the second command.
-  const Output output = run("0,bat,velocity,,,,,,,,1,0,0,0,0,0,,,,,,\n"
-                            "0.201,bat,velocity,,,,,,,,3,0,0,0,0,0,,,,,,\n"
-                            "0.5,bat,hold" + kNoValues + "\n", "--duration 0.5 --rate 500");
+  const Output output =
+      run("0,bat,velocity,,,,,,,,1,0,0,0,0,0,,,,,,\n"
+          "0.201,bat,velocity,,,,,,,,3,0,0,0,0,0,,,,,,\n"
+          "0.5,bat,hold" +
+              kNoValues + "\n",
+          "--duration 0.5 --rate 500");
   EXPECT_EQ(output.status, 0) << output.err;
   const std::vector<std::string> hits = contactsWith("bat", textOf(contacts()));
   ASSERT_EQ(hits.size(), 1u);
@@ -293,7 +298,8 @@ TEST(Simulate, ReturnsTheServeByTheShippedSwing)
       simulate(shipped("rally") + " --duration 1.4 --commands " + shippedSwing() + " --contacts '" + contacts + "'");
   EXPECT_EQ(output.status, 0) << output.err;
   EXPECT_NE(output.err.find("commands 3 given, 0 left at the end\n"), std::string::npos) << output.err;
-  const std::vector<std::string> hits = contactsWith("paddle", textOf(contacts)), bounces = contactsWith("table", textOf(contacts));
+  const std::vector<std::string> hits = contactsWith("paddle", textOf(contacts)),
+                                 bounces = contactsWith("table", textOf(contacts));
   ASSERT_EQ(hits.size(), 1u);
   ASSERT_EQ(bounces.size(), 3u);
   EXPECT_EQ(lines(textOf(contacts)).size(), 1u + 4u);
@@ -317,13 +323,14 @@ TEST(Simulate, DoesNotWriteContactsOverWhatItReads)
   const std::string commands = folder.write("commands.csv", kCommandHeader + "0,bat,hold" + kNoValues + "\n");
   std::filesystem::create_symlink("scene.yaml", folder.path("link"));
   std::filesystem::create_hard_link(commands, folder.path("twin"));
-  const std::pair<std::string, std::string> cases[] = {{"scene.yaml", "the scene"},     {"link", "the scene"},
-                                                       {"./scene.yaml", "the scene"},   {"commands.csv", "the commands"},
-                                                       {"twin", "the commands"},        {"bat.urdf", "the URDF of bat"}};
+  const std::pair<std::string, std::string> cases[] = {{"scene.yaml", "the scene"},   {"link", "the scene"},
+                                                       {"./scene.yaml", "the scene"}, {"commands.csv", "the commands"},
+                                                       {"twin", "the commands"},      {"bat.urdf", "the URDF of bat"}};
   for (const auto& [name, what] : cases)
   {
     const std::string path = folder.path(name);
-    const Output output = simulate("'" + scene + "' --duration 1 --commands '" + commands + "' --contacts '" + path + "'");
+    const Output output =
+        simulate("'" + scene + "' --duration 1 --commands '" + commands + "' --contacts '" + path + "'");
     EXPECT_EQ(output.status, 2) << path;
     EXPECT_EQ(output.out, "") << path;
     EXPECT_EQ(output.err, "simulate: --contacts: " + path + ": expected another file than " + what + "\n");
@@ -348,7 +355,8 @@ TEST(Simulate, SummarisesOnStandardError)
 
 TEST(Simulate, TellsAHashOfTheEnd)
 {
-  const auto hashOf = [](const std::string& arguments) { return lines(simulate(shipped("tray") + arguments).err).at(4); };
+  const auto hashOf = [](const std::string& arguments)
+  { return lines(simulate(shipped("tray") + arguments).err).at(4); };
   EXPECT_TRUE(startsWith(hashOf(" --duration 1"), "state hash "));
   EXPECT_EQ(hashOf(" --duration 1"), hashOf(" --duration 1 --rate 7"));  // rows change nothing
   EXPECT_NE(hashOf(" --duration 1"), hashOf(" --duration 1 --seed 2"));
@@ -374,8 +382,8 @@ TEST(Simulate, ExplainsItself)
 {
   const Output output = simulate("--help");
   EXPECT_EQ(output.status, 0);
-  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--balls", "--threads", "--contacts",
-                             "--commands"})
+  for (const char* option : {"--duration", "--rate", "--method", "--dt", "--tolerance", "--seed", "--balls",
+                             "--threads", "--contacts", "--commands"})
     EXPECT_NE(output.out.find(option), std::string::npos) << option;
   for (const Method method : kMethods) EXPECT_NE(output.out.find(name(method)), std::string::npos) << name(method);
   EXPECT_NE(output.out.find("auto"), std::string::npos);
@@ -402,7 +410,8 @@ TEST(Simulate, RefusesBadInputWithOneLineAndStatusTwo)
       {arc + " --duration 1 --balls 1e3", "--balls: 1e3: expected an integer from 1 to 100000"},
       {arc + " --duration 1 --contacts ''", "--contacts: nothing: expected"},
       {arc + " --duration 1 --commands ''", "--commands: nothing: expected a file name"},
-      {arc + " --duration 1 --commands /no/file", "/no/file:1: commands: No such file or directory: expected a regular file"},
+      {arc + " --duration 1 --commands /no/file",
+       "/no/file:1: commands: No such file or directory: expected a regular file"},
       {arc + " --duration 1 --fast", "--fast: unknown option: expected"},
       {arc + " --duration 1 -q", "-q: unknown option: expected"},
       {arc + " --duration 1 --tolerance 1", "--tolerance: 1: expected a number from 1e-12 to 0.1"},

@@ -12,8 +12,8 @@ namespace
 {
 // --- impacts ---
 
-constexpr double kApart = 0.1;      // pairs of balls, in a lattice [m]
-constexpr double kClosing = 0.1;    // speed at which the balls of a pair approach each other [m/s]
+constexpr double kApart = 0.1;            // pairs of balls, in a lattice [m]
+constexpr double kClosing = 0.1;          // speed at which the balls of a pair approach each other [m/s]
 constexpr int kColumns = 20, kRows = 15;  // 600 balls: threads share them
 constexpr int kSteps = 10;
 
@@ -96,15 +96,16 @@ Scene ballsInARow()
 
 std::size_t asleep(const PileRun& run)
 {
-  return static_cast<std::size_t>(
-      std::count_if(run.world.balls.begin(), run.world.balls.end(), [](const BallRecord& ball) { return ball.asleep(); }));
+  return static_cast<std::size_t>(std::count_if(run.world.balls.begin(), run.world.balls.end(),
+                                                [](const BallRecord& ball) { return ball.asleep(); }));
 }
 
 // The slab that is about to wake somebody up, or none: as many as there are.
 std::size_t wakingSlab(const PileRun& run)
 {
   const auto begin = run.world.pile.shares.begin(), end = begin + static_cast<std::ptrdiff_t>(run.slabs());
-  return static_cast<std::size_t>(std::find_if(begin, end, [](const PileShare& share) { return !share.waking.empty(); }) - begin);
+  return static_cast<std::size_t>(
+      std::find_if(begin, end, [](const PileShare& share) { return !share.waking.empty(); }) - begin);
 }
 
 // A ball is laid on one of them, which wakes up and is gone the next moment, with many others and its slab. Where it was in the

@@ -118,7 +118,8 @@ struct ImpulseBreak
 };
 
 constexpr ImpulseBreak kImpulseBreaks[] = {
-    {"zeno", 1e-2, 0.3},  // hops within 0.1 mm count as rest, and so does what is slower than gravity makes it in two steps
+    {"zeno", 1e-2,
+     0.3},  // hops within 0.1 mm count as rest, and so does what is slower than gravity makes it in two steps
     {"zeno", 1e-3, 0.08},
     {"rest", 1e-2, 1e-10},  // impulses have 24 bits, until the ball falls asleep
     {"rest", 1e-3, 1e-11},

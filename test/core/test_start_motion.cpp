@@ -15,7 +15,8 @@ const Vector3d kW(3.0, -4.0, 12.0);  // 13 rad/s
 /// One plate far from everything, with a weak drive: coming to speed would take long.
 Scene plate(const Twist& twist)
 {
-  Scene scene = SceneBuilder().paddle("plate", boxShape({0.01, 0.16, 0.16}), at({0.2, 0.1, 1.0}, 0.4, {1, 2, 3})).build();
+  Scene scene =
+      SceneBuilder().paddle("plate", boxShape({0.01, 0.16, 0.16}), at({0.2, 0.1, 1.0}, 0.4, {1, 2, 3})).build();
   scene.bodies[0].limits = {2.0, 10.0, 20.0, 100.0};
   scene.bodies[0].twist = twist;
   return scene;
@@ -65,7 +66,8 @@ TEST(StartMotion, TheFirstCommandEndsIt)
   ASSERT_FALSE(world.command(0, PaddleCommand()));
   for (int i = 0; i < 500; ++i) world.advance(0.002);
   EXPECT_TRUE(world.bodyTwist(0).v.isZero(0.0) && world.bodyTwist(0).w.isZero(0.0));
-  EXPECT_NEAR((world.bodyPose(0).p - from).norm(), kV.squaredNorm() / (2.0 * 10.0), 2e-3);  // v^2/2a, the last piece shorter
+  EXPECT_NEAR((world.bodyPose(0).p - from).norm(), kV.squaredNorm() / (2.0 * 10.0),
+              2e-3);  // v^2/2a, the last piece shorter
 }
 
 TEST(StartMotion, TellsWhatThePaddleObeys)
@@ -157,7 +159,10 @@ TEST(StartMotion, FrictionTakesABallOnItAlongFromTheFirstInstantOn)
 TEST(StartMotion, ABallMayRideAlongFromTheStart)
 {
   SceneBuilder builder;
-  builder.gravity(kG).restitution(0.5).paddle("lift", boxShape({1, 1, 0.1}), at({0, 0, -0.05})).ball({0, 0, kR}, {0.3, 0, 1.0});
+  builder.gravity(kG)
+      .restitution(0.5)
+      .paddle("lift", boxShape({1, 1, 0.1}), at({0, 0, -0.05}))
+      .ball({0, 0, kR}, {0.3, 0, 1.0});
   Scene scene = builder.build();
   scene.bodies[0].twist.v = {0.3, 0, 1.0};
   World world(scene);
@@ -173,7 +178,7 @@ TEST(StartMotion, TheTableStopsIt)
   scene.bodies[1].twist.v = {0.2, 0, -2.0};
   World world(scene);
   EXPECT_EQ(world.advance(0.2).blocked_paddles, 1u);
-  EXPECT_NEAR(world.bodyTwist(1).v.x(), 0.2, 1e-9);  // it slides on
+  EXPECT_NEAR(world.bodyTwist(1).v.x(), 0.2, 1e-9);     // it slides on
   EXPECT_LT(std::abs(world.bodyTwist(1).v.z()), 1e-4);  // what is left takes it to its distance from the table, 25 um
 }
 

@@ -1,12 +1,11 @@
 // The hash of a world's state: equal for equal bits, another one for any other bit.
-#include "ping_pong_sim/state_hash.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <set>
 
 #include "ping_pong_sim/scene_loader.h"
+#include "ping_pong_sim/state_hash.h"
 #include "scene_builder.h"
 
 namespace ping_pong

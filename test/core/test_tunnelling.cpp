@@ -1,5 +1,6 @@
 // Fast balls and thin plates, moving and turning paddles.
 #include <gtest/gtest.h>
+
 #include <functional>
 
 #include "situations.h"
@@ -17,8 +18,9 @@ TEST(Tunnelling, SampledContactsMissAThinPlate)
   // The ball is in touch for 2 r + 14 mm = 54 mm of its way; a sample every v h hits that with the odds 54 mm / v h.
   for (const Method method : {Method::EulerExplicit, Method::EulerSemiImplicit})
   {
-    EXPECT_NEAR(shootAtPlate(method, 1.0 / 240.0, 0.014, 25.0, kShots).missed, 1.0 - 0.054 / (25.0 / 240.0), 2e-3);  // 48 %
-    EXPECT_NEAR(shootAtPlate(method, 1.0 / 60.0, 0.014, 5.0, kShots).missed, 1.0 - 0.054 / (5.0 / 60.0), 2e-3);      // 35 %
+    EXPECT_NEAR(shootAtPlate(method, 1.0 / 240.0, 0.014, 25.0, kShots).missed, 1.0 - 0.054 / (25.0 / 240.0),
+                2e-3);                                                                                           // 48 %
+    EXPECT_NEAR(shootAtPlate(method, 1.0 / 60.0, 0.014, 5.0, kShots).missed, 1.0 - 0.054 / (5.0 / 60.0), 2e-3);  // 35 %
   }
   for (const double speed : {5.0, 25.0})
   {
@@ -28,7 +30,8 @@ TEST(Tunnelling, SampledContactsMissAThinPlate)
   }
   measured("semi-implicit, 14 mm, 25 m/s, 1/240 s: missed",
            shootAtPlate(Method::EulerSemiImplicit, 1 / 240.0, 0.014, 25, kShots).missed);
-  measured("semi-implicit, 14 mm, 5 m/s, 1/60 s: missed", shootAtPlate(Method::EulerSemiImplicit, 1 / 60.0, 0.014, 5, kShots).missed);
+  measured("semi-implicit, 14 mm, 5 m/s, 1/60 s: missed",
+           shootAtPlate(Method::EulerSemiImplicit, 1 / 60.0, 0.014, 5, kShots).missed);
 }
 
 TEST(Tunnelling, SampledContactsPushOutOnTheWrongSide)

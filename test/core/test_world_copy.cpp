@@ -27,22 +27,25 @@ bool sameBits(const Vector3d& a, const Vector3d& b, const Numbers&... more)
 
 bool same(const Contact& a, const Contact& b)
 {
-  return a.time == b.time && a.ball == b.ball && a.with_ball == b.with_ball && a.other_ball == b.other_ball && a.body == b.body &&
-         a.shape == b.shape && sameBits(a.p_WC, b.p_WC, a.n_W, b.n_W, a.v_before, b.v_before, a.v_after, b.v_after) &&
+  return a.time == b.time && a.ball == b.ball && a.with_ball == b.with_ball && a.other_ball == b.other_ball &&
+         a.body == b.body && a.shape == b.shape &&
+         sameBits(a.p_WC, b.p_WC, a.n_W, b.n_W, a.v_before, b.v_before, a.v_after, b.v_after) &&
          sameBits(a.w_before, b.w_before, a.w_after, b.w_after, a.v_other, b.v_other, a.impulse, b.impulse);
 }
 
 bool same(const StepStatus& a, const StepStatus& b)
 {
-  return a.contacts == b.contacts && a.events == b.events && a.squeezed == b.squeezed && a.blocked_paddles == b.blocked_paddles &&
-         a.piled == b.piled && a.event_limit == b.event_limit && a.not_finite == b.not_finite;
+  return a.contacts == b.contacts && a.events == b.events && a.squeezed == b.squeezed &&
+         a.blocked_paddles == b.blocked_paddles && a.piled == b.piled && a.event_limit == b.event_limit &&
+         a.not_finite == b.not_finite;
 }
 
 bool sameBody(const World& a, const World& b, std::size_t i)
 {
   const PaddleCommand &one = a.bodyCommand(i), &other = b.bodyCommand(i);
   return one.mode == other.mode && sameBits(one.pose.p, other.pose.p, one.twist.v, other.twist.v, one.a_W, other.a_W) &&
-         sameBits(a.bodyPose(i).p, b.bodyPose(i).p, a.bodyTwist(i).v, b.bodyTwist(i).v, a.bodyTwist(i).w, b.bodyTwist(i).w) &&
+         sameBits(a.bodyPose(i).p, b.bodyPose(i).p, a.bodyTwist(i).v, b.bodyTwist(i).v, a.bodyTwist(i).w,
+                  b.bodyTwist(i).w) &&
          a.bodyPose(i).q.coeffs() == b.bodyPose(i).q.coeffs();
 }
 
@@ -115,7 +118,8 @@ Drive always(std::size_t body, const PaddleCommand& command)
 
 Drive once(std::size_t body, const PaddleCommand& command)
 {
-  return [body, command](World& world, int tick) {
+  return [body, command](World& world, int tick)
+  {
     if (tick == 0) world.command(body, command);
   };
 }
@@ -206,12 +210,16 @@ Moment ballOnATurningCylinder()
 {
   SceneBuilder builder;
   const Pose lying_down = at({0, 0, 0}, 0.5 * kPi, {1, 0, 0});
-  builder.gravity(kG).floor(-0.5).paddle("cylinder", cylinderShape(0.1, 2), lying_down).ball({0, 0, 0.1 + kR}, {0.1, 0.2, 0});
+  builder.gravity(kG)
+      .floor(-0.5)
+      .paddle("cylinder", cylinderShape(0.1, 2), lying_down)
+      .ball({0, 0, 0.1 + kR}, {0.1, 0.2, 0});
   Moment moment = lying("over a cylinder that turns", builder, 10);
   moment.scene.bodies.back().twist.w = {0, 2.0, 0};
   moment.reached = rolls;
-  moment.drive = [](World& world, int tick)
-  { world.command(1, velocityCommand({0.05 * std::cos(0.3 * tick), 0, 0}, {0, 2.0 + std::sin(0.2 * tick), 0})); };
+  moment.drive = [](World& world, int tick) {
+    world.command(1, velocityCommand({0.05 * std::cos(0.3 * tick), 0, 0}, {0, 2.0 + std::sin(0.2 * tick), 0}));
+  };
   return moment;
 }
 
@@ -223,7 +231,8 @@ Moment ballInAGroove()
   for (const double side : {-1.0, 1.0})
   {
     const double middle = (0.5 + 0.05) * std::sqrt(0.5), height = (0.5 - 0.05) * std::sqrt(0.5);
-    builder.box(side < 0 ? "left" : "right", {1, 20, 0.1}, at({side * middle, 0, height}, -side * 0.25 * kPi, {0, 1, 0}));
+    builder.box(side < 0 ? "left" : "right", {1, 20, 0.1},
+                at({side * middle, 0, height}, -side * 0.25 * kPi, {0, 1, 0}));
   }
   builder.ball({0, 0, kR * std::sqrt(2.0)}, {0, 0.5, 0});
   Moment moment = lying("in a groove in air", builder, 20);
@@ -283,7 +292,8 @@ Moment paddleAtWork(const char* title, const PaddleCommand& command)
 {
   SceneBuilder builder;
   builder.gravity(kG).floor().restitution(0.9).box("table", {1, 1, 0.1}, at({0, 0, 0.5}));
-  builder.body("paddle", BodyKind::Kinematic, {cylinderShape(0.08, 0.01), boxShape({0.02, 0.02, 0.2})}, at({0.1, 0, 0.9}));
+  builder.body("paddle", BodyKind::Kinematic, {cylinderShape(0.08, 0.01), boxShape({0.02, 0.02, 0.2})},
+               at({0.1, 0, 0.9}));
   for (int i = 0; i < 6; ++i) builder.ball({0.07 * i - 0.2, 0.01 * i, 1.1 + 0.03 * i}, {0.2, 0, 0.1 * i});
   Moment moment{title, rough(builder, 0.9)};
   moment.before = 12;
@@ -378,7 +388,8 @@ const std::vector<Moment>& moments()
 
 std::string describe(const Moment& moment)
 {
-  return moment.title + ", after " + std::to_string(moment.before) + " ticks, threads: " + std::to_string(moment.scene.threads);
+  return moment.title + ", after " + std::to_string(moment.before) +
+         " ticks, threads: " + std::to_string(moment.scene.threads);
 }
 
 TEST(WorldCopy, GoesOnWithTheSameBits)
@@ -492,14 +503,25 @@ std::vector<Change> changes()
   };
   return {{"spawn a ball of a new type", [=](World& world) { EXPECT_FALSE(world.spawnBall(other_ball(), far(0.5))); }},
           {"spawn many",
-           [](World& world) {
+           [](World& world)
+           {
              for (int i = 0; i < 30; ++i) EXPECT_FALSE(world.spawnBall(BallParams(), far(0.05 * i - 0.75)));
            }},
           {"delete a ball", [](World& world) { EXPECT_FALSE(world.deleteBall(world.ballId(3))); }},
-          {"delete all balls", [](World& world) { while (world.ballCount() > 0) world.deleteBall(world.ballId(0)); }},
+          {"delete all balls",
+           [](World& world)
+           {
+             while (world.ballCount() > 0) world.deleteBall(world.ballId(0));
+           }},
           {"put a ball elsewhere", [](World& world) { EXPECT_FALSE(world.setBallState(world.ballId(0), far(0))); }},
-          {"command a paddle", [](World& world) { EXPECT_FALSE(world.command(5, velocityCommand({2, 0, 0}, {0, 3, 0}))); }},
-          {"put a paddle elsewhere", [](World& world) { EXPECT_FALSE(world.setBodyPose(5, at({0.4, 0.2, 0.3}))); }},
+          {"command a paddle",
+           [](World& world) {
+             EXPECT_FALSE(world.command(5, velocityCommand({2, 0, 0}, {0, 3, 0})));
+           }},
+          {"put a paddle elsewhere",
+           [](World& world) {
+             EXPECT_FALSE(world.setBodyPose(5, at({0.4, 0.2, 0.3})));
+           }},
           {"reset", [](World& world) { world.reset(); }},
           {"advance alone", [](World& world) { run(world, 0.013, 40); }},
           {"keep no contacts", [](World& world) { world.keepContacts(false); }},
@@ -656,7 +678,8 @@ TEST(WorldCopy, MayBeAssignedToAWorldThatWasMovedFrom)
 
 TEST(WorldCopy, StandsInContainers)
 {
-  static_assert(std::is_nothrow_move_constructible_v<World> && std::is_nothrow_move_assignable_v<World>, "a list that grows moves");
+  static_assert(std::is_nothrow_move_constructible_v<World> && std::is_nothrow_move_assignable_v<World>,
+                "a list that grows moves");
   const Moment moment = rollingBall();
   const World model = worldAt(moment);
   std::vector<World> fan(3, model);

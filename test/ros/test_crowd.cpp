@@ -40,7 +40,8 @@ TEST_F(CrowdTopics, SmallMessageHoldsEveryBall)
   ASSERT_TRUE(crowd.waitForCount(1));  // a newcomer to a paused world is told at once
   const Step::Response stepped = sim_test::step(0.05);
   ASSERT_TRUE(stepped.success) << stepped.message;
-  ASSERT_TRUE(crowd.waitFor([&](const Crowd& c) { return c.time == stepped.time; }));  // the end of a step is never kept back
+  ASSERT_TRUE(
+      crowd.waitFor([&](const Crowd& c) { return c.time == stepped.time; }));  // the end of a step is never kept back
   const Crowd message = crowd.last();
   EXPECT_EQ(message.header.frame_id, "world");
   ASSERT_EQ(message.id.size(), kBalls);
@@ -72,8 +73,8 @@ TEST_F(CrowdTopics, OneListOfSpheresAndFewFrames)
     for (const Marker& marker : array.markers) count += marker.type == type && marker.action == Marker::ADD;
     return count;
   };
-  ASSERT_TRUE(markers.waitFor(
-      [&](const visualization_msgs::MarkerArray& array) { return countOf(array, Marker::SPHERE_LIST) == 1; }));
+  ASSERT_TRUE(markers.waitFor([&](const visualization_msgs::MarkerArray& array)
+                              { return countOf(array, Marker::SPHERE_LIST) == 1; }));
   for (const visualization_msgs::MarkerArray& array : markers.all())
   {
     EXPECT_EQ(countOf(array, Marker::SPHERE), 0u);
@@ -84,7 +85,8 @@ TEST_F(CrowdTopics, OneListOfSpheresAndFewFrames)
       }
   }
   ASSERT_TRUE(frames.waitForCount(1));
-  for (const tf2_msgs::TFMessage& message : frames.all()) EXPECT_EQ(message.transforms.size(), 50u + 1u);  // and the newest
+  for (const tf2_msgs::TFMessage& message : frames.all())
+    EXPECT_EQ(message.transforms.size(), 50u + 1u);  // and the newest
   ASSERT_TRUE(bodies.waitForCount(1));
   EXPECT_EQ(countOf(bodies.last(), Marker::LINE_LIST), 1u);  // the edges of the room
 }

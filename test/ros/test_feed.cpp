@@ -140,7 +140,8 @@ TEST_F(Feed, OneNamedShotAgainAndAgainAsFastAsItGoes)
 {
   sim_test::Inbox<BallStates> balls(nh_, "lobs/balls");
   ASSERT_TRUE(balls.waitFor([](const BallStates& b) { return b.time > 20.0; }));
-  ASSERT_TRUE(balls.waitForCount(100));  // of all phases of the flight: that world may have been far on when one came to listen
+  ASSERT_TRUE(
+      balls.waitForCount(100));  // of all phases of the flight: that world may have been far on when one came to listen
   const double top = 0.8 + 1.27;  // a lob's, above the floor [m]
   double highest = 0.0;
   for (const BallStates& message : balls.all())

@@ -42,7 +42,8 @@ TEST_F(RealTime, OneTfMessageHoldsAllOfATick)
   ros::Time last;
   for (const tf2_msgs::TFMessage& message : tf.all())
   {
-    ASSERT_EQ(message.transforms.size(), 60u + 1u);  // and the newest; the tray has no paddle; static bodies are on /tf_static
+    ASSERT_EQ(message.transforms.size(),
+              60u + 1u);  // and the newest; the tray has no paddle; static bodies are on /tf_static
     EXPECT_GT(message.transforms[0].header.stamp, last);
     last = message.transforms[0].header.stamp;
     for (const auto& transform : message.transforms) EXPECT_EQ(transform.header.stamp, last);

@@ -49,8 +49,7 @@ TEST_F(SceneSwitching, ByNameBringsTheNewWorld)
   EXPECT_TRUE(balls.waitFor([](const BallStates& b) { return b.balls.size() == 1; }));
   // What was there goes first, and nothing but the new bodies follows.
   EXPECT_TRUE(bodies.waitFor(
-      [](const visualization_msgs::MarkerArray& array)
-      {
+      [](const visualization_msgs::MarkerArray& array) {
         return array.markers.front().action == visualization_msgs::Marker::DELETEALL && array.markers.size() == 1 + 3;
       }));
   EXPECT_TRUE(nh_.hasParam("table_description"));

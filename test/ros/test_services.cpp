@@ -130,7 +130,9 @@ TEST_F(PausedWorld, TheNewestBallHasAFrameOfItsOwn)
 {
   sim_test::Frames frames;
   const auto isAt = [&](double x)
-  { return sim_test::eventually([&] { return std::abs(frames.at("newest_ball").transform.translation.x - x) < 1e-12; }); };
+  {
+    return sim_test::eventually([&] { return std::abs(frames.at("newest_ball").transform.translation.x - x) < 1e-12; });
+  };
   const auto first = spawn(0.5, -2.0, 1.5), second = spawn(-0.5, -2.0, 1.5);
   ASSERT_TRUE(first.success && second.success) << first.message << second.message;
   EXPECT_TRUE(isAt(-0.5));
@@ -150,7 +152,8 @@ TEST_F(PausedWorld, LateListenersSeeWhereThingsAre)
   sim_test::Inbox<visualization_msgs::MarkerArray> bodies(nh_, "body_markers");
   ASSERT_TRUE(bodies.waitForCount(1));
   const auto& markers = bodies.last().markers;
-  const auto added = std::count_if(markers.begin(), markers.end(), [](const visualization_msgs::Marker& marker)
+  const auto added = std::count_if(markers.begin(), markers.end(),
+                                   [](const visualization_msgs::Marker& marker)
                                    { return marker.action == visualization_msgs::Marker::ADD; });
   EXPECT_EQ(added, 3 + 1);  // table; paddle
 }

@@ -25,8 +25,9 @@ TEST(StartMotion, LastsUntilTheFirstCommandAndComesBackWithAReset)
   EXPECT_TRUE(paddles.waitFor(movesByItself));
 
   commands.publish(PaddleCommand());
-  EXPECT_TRUE(paddles.waitFor([](const PaddleStates& s)
-                              { return s.paddles.at(0).mode == PaddleCommand::HOLD && s.paddles[0].twist.linear.y == 0.0; }));
+  EXPECT_TRUE(
+      paddles.waitFor([](const PaddleStates& s)
+                      { return s.paddles.at(0).mode == PaddleCommand::HOLD && s.paddles[0].twist.linear.y == 0.0; }));
   sim_test::reset();
   paddles.clear();
   EXPECT_TRUE(paddles.waitFor(movesByItself));

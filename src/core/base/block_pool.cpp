@@ -8,12 +8,18 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::size_t kUnit = 16;    // of sizes of blocks [B]
+constexpr std::size_t kUnit = 16;  // of sizes of blocks [B]
 constexpr std::size_t kSizes = block_pool::kLargestBlock / kUnit;
-constexpr std::size_t kBatch = 32;   // blocks that go from hand to hand at a time
+constexpr std::size_t kBatch = 32;  // blocks that go from hand to hand at a time
 
-std::size_t indexOf(std::size_t size) { return (size - 1) / kUnit; }
-std::size_t sizeOf(std::size_t index) { return (index + 1) * kUnit; }
+std::size_t indexOf(std::size_t size)
+{
+  return (size - 1) / kUnit;
+}
+std::size_t sizeOf(std::size_t index)
+{
+  return (index + 1) * kUnit;
+}
 
 // A free block, with what comes after it written into it.
 struct Block
@@ -88,7 +94,7 @@ private:
   void takeFromHeap(std::size_t blocks, std::size_t index)
   {
     const std::size_t batches = (blocks + kBatch - 1) / kBatch;
-    stretches_.push_back({static_cast<char*>(::operator new(batches * kBatch * sizeOf(index))), batches * kBatch});
+    stretches_.push_back({static_cast<char*>(::operator new(batches* kBatch* sizeOf(index))), batches * kBatch});
     free_ += batches * kBatch;
   }
   Stack carve(std::size_t index)
@@ -108,7 +114,7 @@ private:
   std::size_t free_ = 0;  // blocks of all batches and stretches
   Block* batches_ = nullptr;
   std::vector<Stretch> stretches_;
-  Stack odd_;             // fewer than a batch, of threads that have ended
+  Stack odd_;  // fewer than a batch, of threads that have ended
 };
 
 // Never destroyed: whoever owns a block may live as long as the program.

@@ -73,7 +73,8 @@ public:
   static void reserve(std::size_t values, std::size_t threads) { block_pool::reserve(values, threads, sizeof(Value)); }
 
 private:
-  static_assert(sizeof(Value) <= block_pool::kLargestBlock && alignof(Value) <= alignof(std::max_align_t), "fits a block");
+  static_assert(sizeof(Value) <= block_pool::kLargestBlock && alignof(Value) <= alignof(std::max_align_t),
+                "fits a block");
 
   static void* take() { return block_pool::take(sizeof(Value)); }
 

@@ -12,7 +12,7 @@ namespace ping_pong
 template <class Record>
 void takeMemory(std::vector<Record>& list, std::size_t records)
 {
-  constexpr std::size_t kWritten = 4096;   // [B]
+  constexpr std::size_t kWritten = 4096;  // [B]
   list.reserve(records);
   if (!list.empty()) return;
   list.resize(std::min(records, kWritten / sizeof(Record)));

@@ -13,11 +13,23 @@ using Lanes = float __attribute__((vector_size(16)));
 using LaneMask = std::int32_t __attribute__((vector_size(16)));  ///< of a comparison: 0 is no
 inline constexpr std::size_t kLanes = 4;
 
-inline Lanes allLanes(float x) { return Lanes{x, x, x, x}; }
+inline Lanes allLanes(float x)
+{
+  return Lanes{x, x, x, x};
+}
 /// b where a is not a number.
-inline Lanes lesser(Lanes a, Lanes b) { return a < b ? a : b; }
-inline Lanes greater(Lanes a, Lanes b) { return a > b ? a : b; }
-inline Lanes squareRoot(Lanes x) { return Lanes{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])}; }
+inline Lanes lesser(Lanes a, Lanes b)
+{
+  return a < b ? a : b;
+}
+inline Lanes greater(Lanes a, Lanes b)
+{
+  return a > b ? a : b;
+}
+inline Lanes squareRoot(Lanes x)
+{
+  return Lanes{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+}
 inline bool anyLane(LaneMask mask)
 {
   std::uint64_t halves[2];
@@ -57,10 +69,22 @@ struct LaneVectors
   Eigen::Vector3f at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
 };
 
-inline LaneVectors operator+(const LaneVectors& a, const LaneVectors& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline LaneVectors operator-(const LaneVectors& a, const LaneVectors& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline LaneVectors operator*(Lanes s, const LaneVectors& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline Lanes dot(const LaneVectors& a, const LaneVectors& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline LaneVectors operator+(const LaneVectors& a, const LaneVectors& b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline LaneVectors operator-(const LaneVectors& a, const LaneVectors& b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline LaneVectors operator*(Lanes s, const LaneVectors& a)
+{
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline Lanes dot(const LaneVectors& a, const LaneVectors& b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline LaneVectors cross(const LaneVectors& a, const LaneVectors& b)
 {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -73,13 +97,17 @@ inline Lanes lanesAt(const float* numbers)
   std::memcpy(&lanes, numbers, sizeof(lanes));
   return lanes;
 }
-inline void putLanes(Lanes lanes, float* numbers) { std::memcpy(numbers, &lanes, sizeof(lanes)); }
+inline void putLanes(Lanes lanes, float* numbers)
+{
+  std::memcpy(numbers, &lanes, sizeof(lanes));
+}
 
 /// Of a vector and another number.
 template <class Vector>
 Lanes lanesOf(const Vector& v, double last)
 {
-  return Lanes{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(last)};
+  return Lanes{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),
+               static_cast<float>(last)};
 }
 
 /// Four of the eight numbers of a and b, by their indices.

@@ -14,17 +14,18 @@ constexpr double kRoundingOfSquares = 1e-13;
 /// Two balls at one time.
 struct Approach
 {
-  Vector3d p;                 ///< of the first one [m]
-  double closing;             ///< half the derivative of |d|^2, where d is from the second to the first [m^2/s]
-  double distance_squared;    ///< |d|^2
-  double speed_squared;       ///< of one against the other
+  Vector3d p;               ///< of the first one [m]
+  double closing;           ///< half the derivative of |d|^2, where d is from the second to the first [m^2/s]
+  double distance_squared;  ///< |d|^2
+  double speed_squared;     ///< of one against the other
 };
 
 /// First contact in [from, until] of balls under the same acceleration that come closer at `from`.
 Detection contactAhead(const Approach& at, double reach, double from, double until);
 
 /// First contact in [from, until] of balls whose radii add up to `reach`; both have the same half_a.
-[[gnu::always_inline]] inline Detection firstContact(const ParabolaView& a, const ParabolaView& b, double reach, double from, double until)
+[[gnu::always_inline]] inline Detection firstContact(const ParabolaView& a, const ParabolaView& b, double reach,
+                                                     double from, double until)
 {
   const double s1 = from - a.start;
   const double s2 = from - b.start;

@@ -126,7 +126,8 @@ void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
   slice_shift_ = axes_[0].shift + axes_[0].unit_bits - kSliceBits;
   slice_mask_ = axes_[0].mask >> (axes_[0].unit_bits - kSliceBits);
   // Parts of the room are cut across y or z, whichever is longer: fewer boxes are near a border.
-  const auto x = static_cast<std::size_t>(axes_[0].cells), y = static_cast<std::size_t>(axes_[1].cells), z = static_cast<std::size_t>(axes_[2].cells);
+  const auto x = static_cast<std::size_t>(axes_[0].cells), y = static_cast<std::size_t>(axes_[1].cells),
+             z = static_cast<std::size_t>(axes_[2].cells);
   row_ = y > z ? x * z : x;
   layer_ = y > z ? x : x * y;
   cells_ = x * y * z;
@@ -178,7 +179,8 @@ void BroadPhase::cutIntoParts(std::size_t count)
   if (links_.size() < count) links_.resize(count);
   first_.assign(count + 1, 0);
   for (std::size_t part = 1; part < count; ++part)
-    first_[part] = std::min(std::max(first_[part - 1], middleOf(part * blocks_.size() / count)), static_cast<std::uint32_t>(slices_));
+    first_[part] = std::min(std::max(first_[part - 1], middleOf(part * blocks_.size() / count)),
+                            static_cast<std::uint32_t>(slices_));
   first_[count] = static_cast<std::uint32_t>(slices_ + 2);
 }
 
@@ -188,7 +190,8 @@ void BroadPhase::sortPart(std::size_t part)
   const std::uint32_t first = first_[part], last = first_[part + 1];
   const auto isHere = [&](std::uint32_t range) { return range >= first && range < last; };
   const auto anyHere = [&](const Block& block) { return block.greatest >= first && block.least < last; };
-  const auto allHere = [&](const Block& block) { return parts() == 1 || (block.least >= first && block.greatest < last); };
+  const auto allHere = [&](const Block& block)
+  { return parts() == 1 || (block.least >= first && block.greatest < last); };
   std::fill(start_.begin() + first, start_.begin() + last, 0u);
   std::uint32_t total = 0;
   for (std::size_t block = 0; block < blocks_.size(); ++block)

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/aabb.h"
 #include "base/simd4.h"
 #include "base/thread_pool.h"
+#include "geometry/aabb.h"
 
 namespace ping_pong
 {
@@ -53,11 +53,12 @@ public:
   template <class Action>
   void eachPair(const Action& action) const
   {
-    eachPairs(0, boxes_, [](std::uint32_t, std::uint32_t) {},
-              [&action](const Pair* pairs, std::size_t count)
-              {
-                for (std::size_t p = 0; p < count; ++p) action(pairs[p][0], pairs[p][1]);
-              });
+    eachPairs(
+        0, boxes_, [](std::uint32_t, std::uint32_t) {},
+        [&action](const Pair* pairs, std::size_t count)
+        {
+          for (std::size_t p = 0; p < count; ++p) action(pairs[p][0], pairs[p][1]);
+        });
   }
 
   /// What add() needs to know of boxes, by parts of the grid.
@@ -67,7 +68,7 @@ public:
   void announce(std::uint32_t index, const AnyBox& box, Additions& list) const;
   /// Those of lists with this member are there, too, until the boxes are sorted again; the lists are empty then.
   template <class List>
-  void add(std::vector<List>& lists, Additions List::* member, Workers& workers);
+  void add(std::vector<List>& lists, Additions List::*member, Workers& workers);
   /// Appends the index of each that overlaps this box, once, with kAdded for those that were.
   template <class AnyBox>
   void listOverlapping(const AnyBox& box, std::vector<std::uint32_t>& list) const;
@@ -75,13 +76,14 @@ public:
 private:
   static constexpr std::uint32_t kNoLink = ~0u;
   static constexpr std::uint32_t kLinkBits = 26;  ///< of an entry in the list of a part; the part is above them
-  static constexpr int kPlaceBits = 29;      ///< of the three places in a corner,
-  static constexpr int kLeastUnitBits = 2;   ///< of which along each axis at least so many are of units in a cell
+  static constexpr int kPlaceBits = 29;           ///< of the three places in a corner,
+  static constexpr int kLeastUnitBits = 2;        ///< of which along each axis at least so many are of units in a cell
   static constexpr std::size_t kFirst = 2 * kLanes;  ///< entries of a range that are compared in any case
   static constexpr int kSliceBits = 1;
-  static constexpr std::size_t kSlices = 1u << kSliceBits;  ///< of a cell along x: where a row is searched, ends are cut off
-  static constexpr std::size_t kBlock = 256;                ///< places that a worker takes at a time
-  static constexpr std::size_t kAhead = 8;                  ///< places, at most kFirst
+  static constexpr std::size_t kSlices =
+      1u << kSliceBits;                       ///< of a cell along x: where a row is searched, ends are cut off
+  static constexpr std::size_t kBlock = 256;  ///< places that a worker takes at a time
+  static constexpr std::size_t kAhead = 8;    ///< places, at most kFirst
 
   /// A place in units from the origin of the grid: x, y and z in one number, each below a bit that is zero. What is beyond
   /// the grid is on its border.
@@ -94,10 +96,10 @@ private:
     double origin = 0.0, units_per_metre = 1.0;
     double first = 0.0, last = 0.0;  ///< least and greatest place [units]
     int cells = 3;
-    int shift = 0;                   ///< of a place in a corner
-    int unit_bits = 0;               ///< its lowest ones: units in a cell
-    Corner cell_bits = 0;            ///< the others, where they are in a corner
-    Corner mask = 0;                 ///< of a place, once it is shifted down
+    int shift = 0;         ///< of a place in a corner
+    int unit_bits = 0;     ///< its lowest ones: units in a cell
+    Corner cell_bits = 0;  ///< the others, where they are in a corner
+    Corner mask = 0;       ///< of a place, once it is shifted down
 
     int cellOf(Corner corner) const { return static_cast<int>((corner >> shift & mask) >> unit_bits); }
   };
@@ -159,7 +161,10 @@ private:
   {
     return static_cast<std::size_t>(z) * layer_ + static_cast<std::size_t>(y) * row_ + static_cast<std::size_t>(x);
   }
-  Cell cellAt(Corner corner) const { return {axes_[0].cellOf(corner), axes_[1].cellOf(corner), axes_[2].cellOf(corner)}; }
+  Cell cellAt(Corner corner) const
+  {
+    return {axes_[0].cellOf(corner), axes_[1].cellOf(corner), axes_[2].cellOf(corner)};
+  }
   std::size_t sliceAlong(Corner corner) const { return corner >> slice_shift_ & slice_mask_; }  ///< of its row
   std::size_t sliceOf(Corner corner) const
   {
@@ -174,7 +179,8 @@ private:
   Reach reachOf(const Extent& extent) const
   {
     const Corner low = extent.low(), differ = low ^ extent.high;
-    return {sliceAlong(extent.high) - sliceAlong(low), (differ & axes_[1].cell_bits) != 0, (differ & axes_[2].cell_bits) != 0};
+    return {sliceAlong(extent.high) - sliceAlong(low), (differ & axes_[1].cell_bits) != 0,
+            (differ & axes_[2].cell_bits) != 0};
   }
   /// All three subtractions at once: none borrows if no coordinate is less than the other.
   bool overlap(const Extent& a, const Extent& b) const
@@ -221,27 +227,27 @@ private:
   std::size_t firstCell(std::size_t part) const { return part < parts() ? first_[part] / kSlices : cells_; }
 
   std::array<Axis, 3> axes_;
-  Corner borrows_ = 0;                          ///< the bits between places
-  Corner longest_ = 0;                          ///< edges of a cell
+  Corner borrows_ = 0;                            ///< the bits between places
+  Corner longest_ = 0;                            ///< edges of a cell
   std::size_t row_ = 3, layer_ = 9, cells_ = 27;  ///< cells
-  std::size_t slices_ = kSlices * 27;           ///< of all cells
-  int slice_shift_ = 0;                         ///< of a slice along x in a corner
+  std::size_t slices_ = kSlices * 27;             ///< of all cells
+  int slice_shift_ = 0;                           ///< of a slice along x in a corner
   std::size_t slice_mask_ = 0;
-  std::size_t count_ = 0;                       ///< of all boxes
-  std::size_t boxes_ = 0;                       ///< that are not empty
-  std::size_t in_cells_ = 0;                    ///< of these; those that are too long come after them
-  std::vector<Extent> placed_;                  ///< by place
-  std::vector<std::uint32_t> range_;            ///< by place: its slice, slices_ if it is in none, or one more if it is empty
-  std::vector<Block> blocks_;                   ///< of places
-  std::vector<std::uint32_t> start_;            ///< of each range in entries_
-  std::vector<Extent> entries_;                 ///< by range; some more after them, to be read but not told
-  std::vector<std::uint32_t> index_;            ///< of each entry; some more after them
-  std::vector<std::uint32_t> at_;               ///< index, by place; some more
-  bool shared_ = false;                         ///< places are those of the entries before; else those of the indices
-  std::vector<std::uint32_t> first_{0, 2};      ///< range of each part, and what comes after the last one
-  std::vector<std::uint32_t> last_link_;        ///< of each cell: an entry in the list of its part
-  std::vector<std::vector<Listed>> links_;      ///< by part
-  std::vector<Listed> everywhere_;              ///< those in no list of a cell
+  std::size_t count_ = 0;             ///< of all boxes
+  std::size_t boxes_ = 0;             ///< that are not empty
+  std::size_t in_cells_ = 0;          ///< of these; those that are too long come after them
+  std::vector<Extent> placed_;        ///< by place
+  std::vector<std::uint32_t> range_;  ///< by place: its slice, slices_ if it is in none, or one more if it is empty
+  std::vector<Block> blocks_;         ///< of places
+  std::vector<std::uint32_t> start_;  ///< of each range in entries_
+  std::vector<Extent> entries_;       ///< by range; some more after them, to be read but not told
+  std::vector<std::uint32_t> index_;  ///< of each entry; some more after them
+  std::vector<std::uint32_t> at_;     ///< index, by place; some more
+  bool shared_ = false;               ///< places are those of the entries before; else those of the indices
+  std::vector<std::uint32_t> first_{0, 2};  ///< range of each part, and what comes after the last one
+  std::vector<std::uint32_t> last_link_;    ///< of each cell: an entry in the list of its part
+  std::vector<std::vector<Listed>> links_;  ///< by part
+  std::vector<Listed> everywhere_;          ///< those in no list of a cell
   bool any_link_ = false;
 };
 }  // namespace ping_pong

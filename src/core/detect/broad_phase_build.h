@@ -45,7 +45,9 @@ template <class BoxOf>
 void BroadPhase::build(std::size_t count, const BoxOf& box, Workers& workers)
 {
   layOut(count, box);
-  putAll(workers, [](std::uint32_t) {}, [&](std::size_t place, std::uint32_t index, std::size_t) { put(place, box(index)); });
+  putAll(
+      workers, [](std::uint32_t) {},
+      [&](std::size_t place, std::uint32_t index, std::size_t) { put(place, box(index)); });
   sort(workers);
 }
 
@@ -76,7 +78,8 @@ BroadPhase::Corner BroadPhase::cornerAt(const AnyBox& p) const
   {
     const Axis& axis = axes_[static_cast<std::size_t>(i)];
     const double units = (p[i] - axis.origin) * axis.units_per_metre;
-    corner |= static_cast<Corner>(static_cast<std::int32_t>(std::max(std::min(units, axis.last), axis.first))) << axis.shift;
+    corner |= static_cast<Corner>(static_cast<std::int32_t>(std::max(std::min(units, axis.last), axis.first)))
+              << axis.shift;
   }
   return corner;
 }

@@ -26,7 +26,8 @@ inline void BroadPhase::takeFrom(std::size_t begin, std::size_t end, const Quest
 // How many there are in a range and how many of them overlap is hard to foresee for a processor: so the first eight of every
 // range are compared, whether they are there or not, and branches are taken for those that overlap and for what is left only.
 template <std::size_t count, class Take>
-inline void BroadPhase::takeFromRanges(const std::array<Range, count>& ranges, const Question& question, const Take& take) const
+inline void BroadPhase::takeFromRanges(const std::array<Range, count>& ranges, const Question& question,
+                                       const Take& take) const
 {
   static_assert(count * kFirst <= 64, "a bit for each");
   std::uint64_t found = 0;
@@ -132,7 +133,8 @@ void BroadPhase::takeFromLists(const Extent& extent, const Take& take) const
       const Listed& box = only ? only[link] : links_[link >> kLinkBits][link & ((1u << kLinkBits) - 1u)];
       link = box.next;
       const Cell its = cellAt(box.extent.low());  // of all cells that both are in, the first one tells
-      const bool tells = (x == std::max(first[0], its[0])) & (y == std::max(first[1], its[1])) & (z == std::max(first[2], its[2]));
+      const bool tells =
+          (x == std::max(first[0], its[0])) & (y == std::max(first[1], its[1])) & (z == std::max(first[2], its[2]));
       if (overlap(box.extent, extent) & tells) take(box.index);
     }
   };
@@ -161,7 +163,7 @@ void BroadPhase::announce(std::uint32_t index, const AnyBox& box, Additions& lis
 
 // Each part of the grid is one worker's.
 template <class List>
-void BroadPhase::add(std::vector<List>& lists, Additions List::* member, Workers& workers)
+void BroadPhase::add(std::vector<List>& lists, Additions List::*member, Workers& workers)
 {
   constexpr std::size_t kFew = 8;  // are not worth sharing
   std::size_t count = 0;

@@ -59,7 +59,6 @@ Detection march(const At& at, const Presses& presses, double from, double until,
   return {t, true};
 }
 
-
 /// The least n.a of all a between the bounds.
 inline double leastAlong(const Vector3d& n, const Vector3d& a_low, const Vector3d& a_high)
 {

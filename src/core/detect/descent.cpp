@@ -43,7 +43,8 @@ Detection comesDown(const Height& height, double start, double from, double unti
     const Detection found = comesDownOnce(height, now, start, from, until);
     if (!found.undecided) return found;
   }
-  const auto at = [&](double t) {
+  const auto at = [&](double t)
+  {
     const Height::Values here = height.at(t - start);
     return Look{here.f, here.rate, height.least_bend};
   };

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/law_counter.h"
-#include "geometry/feature.h"
-#include "detect/conservative_advancement.h"
 #include "detect/ball_ball.h"
+#include "detect/conservative_advancement.h"
+#include "geometry/feature.h"
 
 namespace ping_pong
 {
@@ -84,8 +84,8 @@ double leavesBoxFace(const FaceFrame& ball, const Vector3d& half)
   {
     if (i == face) continue;
     const double limit = half[i] + kBorder;
-    first = std::min({first, passes(ball.y[i], ball.u[i], ball.a[i], limit),
-                      passes(-ball.y[i], -ball.u[i], -ball.a[i], limit)});
+    first = std::min(
+        {first, passes(ball.y[i], ball.u[i], ball.a[i], limit), passes(-ball.y[i], -ball.u[i], -ball.a[i], limit)});
   }
   return std::max(first, kLeast);
 }
@@ -148,12 +148,14 @@ Detection firstContact(const Segment& path, double radius, const Shape& shape, c
   const Vector3d a_low = path.aLow() - motion.a_WB;
   const Vector3d a_high = path.aHigh() - motion.a_WB;
   const double bound = turning ? relativeAccelerationBound(path, motion, from, until) : 0.0;
-  const auto at = [&](double t) {
+  const auto at = [&](double t)
+  {
     const double s = t - path.start;
     const Gap gap = gapTo(shape, frame(t), path.position(s), path.velocity(s), radius);
     return Look{gap.gap, gap.rate, turning ? -bound : leastAlong(gap.n_W, a_low, a_high)};
   };
-  const auto presses = [&](double t) {
+  const auto presses = [&](double t)
+  {
     const double s = t - path.start;
     return gapAcceleration(shape, frame(t), path.position(s), path.velocity(s), path.acceleration(s)) < 0.0;
   };
@@ -172,13 +174,15 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
   const double tolerance = touchTolerance(path1.position(from - path1.start), reach);
   const Vector3d a_low = path1.aLow() - path2.aHigh();
   const Vector3d a_high = path1.aHigh() - path2.aLow();
-  const auto at = [&](double t) {
+  const auto at = [&](double t)
+  {
     const Vector3d d = path1.position(t - path1.start) - path2.position(t - path2.start);
     const Vector3d u = path1.velocity(t - path1.start) - path2.velocity(t - path2.start);
     const double distance = d.norm();
     return Look{distance - reach, d.dot(u) / distance, leastAlong(d / distance, a_low, a_high)};
   };
-  const auto presses = [&](double t) {
+  const auto presses = [&](double t)
+  {
     const Vector3d d = path1.position(t - path1.start) - path2.position(t - path2.start);
     const Vector3d u = path1.velocity(t - path1.start) - path2.velocity(t - path2.start);
     const Vector3d pull = path1.acceleration(t - path1.start) - path2.acceleration(t - path2.start);

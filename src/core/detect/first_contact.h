@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "ping_pong_sim/body.h"
 #include "evolve/segment.h"
+#include "ping_pong_sim/body.h"
 
 namespace ping_pong
 {
@@ -22,9 +22,9 @@ constexpr double kNoHopSpeed = 1e-9;
 /// A ball and a shape at one instant.
 struct Gap
 {
-  double gap = 0.0;      ///< distance of the surfaces, negative in overlap [m]
-  double rate = 0.0;     ///< d(gap)/dt [m/s]
-  Vector3d n_W;          ///< unit, from the shape to the ball
+  double gap = 0.0;   ///< distance of the surfaces, negative in overlap [m]
+  double rate = 0.0;  ///< d(gap)/dt [m/s]
+  Vector3d n_W;       ///< unit, from the shape to the ball
 };
 
 Gap gapTo(const Shape& shape, const BodyFrame& frame, const Vector3d& p_WB, const Vector3d& v_WB, double radius);

@@ -87,7 +87,8 @@ bool overFace(const Vector3d& y, const Shape& shape, int axis)
 // As long as the ball is beyond a face of the bounding box there is no contact. Goes from face to face, the furthest first:
 // a contact on the flat of a face is found like that with a plane. Undecided: none up to that time, when the ball may be at
 // an edge, a corner or a round side.
-Detection meetFaces(const SeenPath& seen, double radius, const Shape& shape, double from, double until, double tolerance)
+Detection meetFaces(const SeenPath& seen, double radius, const Shape& shape, double from, double until,
+                    double tolerance)
 {
   constexpr int kMostFaces = 8;
   constexpr double kInside = 1e-12;  // a face that the ball has come to to rounding [m]
@@ -114,13 +115,15 @@ Detection meetShape(const Segment& path, double radius, const Shape& shape, doub
   const Detection found = meetFaces(seen, radius, shape, from, until, tolerance);
   if (!found.undecided) return found;
   from = found.time;
-  const auto at = [&](double t) {
+  const auto at = [&](double t)
+  {
     const double s = t - seen.start;
     const Proximity near = proximityHere(shape, seen.position(s));
     return Look{near.distance - radius, near.normal.dot(seen.velocity(s)),
                 leastAlong(near.normal, seen.a_low, seen.a_high)};
   };
-  const auto presses = [&](double t) {
+  const auto presses = [&](double t)
+  {
     const double s = t - seen.start;
     const Proximity near = proximityHere(shape, seen.position(s));
     const Vector3d u = seen.velocity(s);

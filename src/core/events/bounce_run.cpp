@@ -1,12 +1,12 @@
 #include "events/bounce_run.h"
 
-#include "resting/plan_path.h"
-#include "state/contact_log.h"
 #include "base/law_counter.h"
 #include "detect/fall_on_plane.h"
-#include "events/predict.h"
 #include "events/bounce_run_level.h"
+#include "events/predict.h"
+#include "resting/plan_path.h"
 #include "state/collapse_guard.h"
+#include "state/contact_log.h"
 
 namespace ping_pong
 {
@@ -36,10 +36,12 @@ Ground groundOf(const WorldState& world, const BallRecord& ball, const Event& ev
 
 bool hopsOn(const WorldState& world, const BallRecord& ball, const Event& event)
 {
-  if (event.kind != Event::Kind::HitBody || world.any_moving || ball.path.degree != 2 || !ball.model().constant()) return false;
+  if (event.kind != Event::Kind::HitBody || world.any_moving || ball.path.degree != 2 || !ball.model().constant())
+    return false;
   const BodyRecord& body = world.bodies[event.other];
-  return body.version == event.version && body.placed[event.shape].kind == ShapeKind::HalfSpace && ball.supports.none() &&
-         ball.path.w_WB.isZero(0.0) && ball.path.turn_WB().isZero(0.0) && ball.crush < kLongStreak;
+  return body.version == event.version && body.placed[event.shape].kind == ShapeKind::HalfSpace &&
+         ball.supports.none() && ball.path.w_WB.isZero(0.0) && ball.path.turn_WB().isZero(0.0) &&
+         ball.crush < kLongStreak;
 }
 
 bool slips(const Ground& ground, const Vector3d& v)
@@ -100,7 +102,8 @@ bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Groun
   count(Law::Restitution);
   countStreak(ball, t);
   if (worthAReport(ball, closing))
-    recordBodyContact(*window.records, world.balls[i], i, ball.next, {p, before, after, Vector3d::Zero(), Vector3d::Zero()}, ground.n, Vector3d::Zero(), t);
+    recordBodyContact(*window.records, world.balls[i], i, ball.next,
+                      {p, before, after, Vector3d::Zero(), Vector3d::Zero()}, ground.n, Vector3d::Zero(), t);
   if (window.log) window.log->flown(i, t);
   setPath(ball, p, after, t);
   foreseeHop(world, i, ground, t);
@@ -130,7 +133,9 @@ bool hop(WorldState& world, const Window& window, std::size_t i)
   std::size_t hops = 0;
   if (most > 1 && level(ground, ball))
     hops = hopOnLevel(world, window, i, {ground.plane.p_BS.z(), ground.law, ground.a.z()}, most);
-  while (hops < most && ball.next.time <= window.end && onTheSame(ball.next, first) && hopOnce(world, window, i, ground)) ++hops;
+  while (hops < most && ball.next.time <= window.end && onTheSame(ball.next, first) &&
+         hopOnce(world, window, i, ground))
+    ++hops;
   if (hops > 1) window.records->status.events += hops - 1;  // one has been counted by the caller
   return hops > 0;
 }

@@ -1,11 +1,11 @@
 #include "events/bounce_run_level.h"
 
-#include "resting/plan_path.h"
-#include "state/contact_log.h"
 #include "base/law_counter.h"
-#include "events/predict.h"
 #include "detect/conservative_advancement.h"
+#include "events/predict.h"
+#include "resting/plan_path.h"
 #include "state/collapse_guard.h"
+#include "state/contact_log.h"
 
 namespace ping_pong
 {
@@ -17,7 +17,10 @@ struct Flight1
   double start, x, y, z, v;  // v along z
 };
 
-Vector3d placeOf(const Flight1& flight) { return {flight.x, flight.y, flight.z}; }
+Vector3d placeOf(const Flight1& flight)
+{
+  return {flight.x, flight.y, flight.z};
+}
 
 // What the next bounce leaves.
 struct Bounce
@@ -50,7 +53,10 @@ Bounce bounceAt(double t, const Flight1& now, const Segment& path, double radius
   return bounce;
 }
 
-Vector3d withZ(const Vector3d& v, double z) { return {v.x(), v.y(), z}; }
+Vector3d withZ(const Vector3d& v, double z)
+{
+  return {v.x(), v.y(), z};
+}
 
 // After so many hops, the next one at time t.
 void flyOn(BallRecord& ball, const Flight1& now, double t, std::size_t hops)
@@ -75,7 +81,8 @@ Box boxOfHops(const Segment& path, const Flight1& first, double radius, const Le
 }
 }  // namespace
 
-std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, const LevelGround& ground, std::size_t most)
+std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, const LevelGround& ground,
+                       std::size_t most)
 {
   BallRecord& ball = world.balls[i];
   Segment& path = ball.path;
@@ -93,7 +100,8 @@ std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, c
     countStreak(ball, t);
     if (hops == 0 && window.log) window.log->flown(i, t);
     recordBodyContact(*window.records, ball, i, ball.next,
-                      {placeOf(bounce.after), withZ(path.c[1], -bounce.closing), withZ(path.c[1], bounce.after.v), Vector3d::Zero(), Vector3d::Zero()},
+                      {placeOf(bounce.after), withZ(path.c[1], -bounce.closing), withZ(path.c[1], bounce.after.v),
+                       Vector3d::Zero(), Vector3d::Zero()},
                       Vector3d::UnitZ(), Vector3d::Zero(), t);
     if (hops++ == 0)
       first = bounce.after;

@@ -2,24 +2,24 @@
 
 #include <cmath>
 
-#include "resting/plan_path.h"
-#include "state/contact_log.h"
-#include "events/predict.h"
-#include "state/crowding.h"
-#include "events/bounce_run.h"
-#include "resting/joint_impact.h"
 #include "detect/conservative_advancement.h"
+#include "events/bounce_run.h"
+#include "events/predict.h"
 #include "evolve/flight.h"
 #include "ping_pong_sim/resolve.h"
-#include "state/squeeze.h"
+#include "resting/joint_impact.h"
+#include "resting/plan_path.h"
 #include "state/collapse_guard.h"
+#include "state/contact_log.h"
+#include "state/crowding.h"
+#include "state/squeeze.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr double kSqueezeGap = 2e-5;   // room left to a ball that counts as squeezed [m]
-constexpr double kOpposed = -0.999;    // cosine between normals of squeezing surfaces
+constexpr double kSqueezeGap = 2e-5;  // room left to a ball that counts as squeezed [m]
+constexpr double kOpposed = -0.999;   // cosine between normals of squeezing surfaces
 constexpr std::size_t kEventsPerAdvance = 1000000;
 constexpr std::size_t kEventsPerBall = 10000;
 
@@ -95,7 +95,8 @@ void settle(const WorldState& world, BallRecord& ball, const Event& event, const
   if (!ends && !(ball.streak > kLongStreak && gap.rate < kDeadSpeed)) return;
   ball.supports.add(event.other, event.shape);
   addTouched(world, ball, state, t);
-  ball.supports.setSince(t + (press > 0.0 ? timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution) : 0.0));
+  ball.supports.setSince(t +
+                         (press > 0.0 ? timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution) : 0.0));
   state.v_WB -= gap.rate * gap.n_W;
   state.p_WB -= gap.gap * gap.n_W;
 }
@@ -131,11 +132,13 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
       (ball.crush > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
     return squeeze(*window.records, ball, state, t);
   const Surface law = lawOf(world, ball, body, shape);
-  if (ball.streak > kLongStreak && law.restitutionAt(-gap.rate) < 1.0 && strikeTogether(world, window, i, event, t)) return;
+  if (ball.streak > kLongStreak && law.restitutionAt(-gap.rate) < 1.0 && strikeTogether(world, window, i, event, t))
+    return;
   const BallState before = state;
   bounce(law, ball.params(), state, u, gap.n_W);
   if (worthAReport(ball, -gap.rate))
-    recordBodyContact(*window.records, ball, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB}, gap.n_W, u, t);
+    recordBodyContact(*window.records, ball, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB},
+                      gap.n_W, u, t);
   settle(world, ball, event, law, frame, state, -gap.rate, gap.n_W.dot(state.v_WB - u), t);
   restart(world, window, i, state, t);
 }
@@ -149,9 +152,9 @@ double separationSpeed(const BallRecord& a, const BallRecord& b, double closing,
   return pressed ? std::max(closing, kHopSpeed) : closing;
 }
 
-void recordBallContact(Records& records, const BallRecord& a, std::size_t i, const BallRecord& b, const BallState& before_a,
-                       const BallState& after_a, const Vector3d& v_other, const Vector3d& n, const Vector3d& impulse,
-                       double t)
+void recordBallContact(Records& records, const BallRecord& a, std::size_t i, const BallRecord& b,
+                       const BallState& before_a, const BallState& after_a, const Vector3d& v_other, const Vector3d& n,
+                       const Vector3d& impulse, double t)
 {
   Contact* contact = newContact(records, i);
   if (!contact) return;

@@ -9,15 +9,15 @@ namespace ping_pong
 /// Balls that may meet each other, and how long they are followed.
 struct Window
 {
-  double start = 0.0;                     ///< [s]
-  double end = 0.0;                       ///< [s]
-  double smooth_until = 0.0;              ///< the motions of all paddles are smooth until then [s]
-  const std::size_t* members = nullptr;   ///< indices of balls
+  double start = 0.0;                    ///< [s]
+  double end = 0.0;                      ///< [s]
+  double smooth_until = 0.0;             ///< the motions of all paddles are smooth until then [s]
+  const std::size_t* members = nullptr;  ///< indices of balls
   std::size_t count = 0;
-  Records* records = nullptr;             ///< of the world or of a worker
-  FlightLog* log = nullptr;               ///< told what the balls fly; null if nobody will ask
+  Records* records = nullptr;                 ///< of the world or of a worker
+  FlightLog* log = nullptr;                   ///< told what the balls fly; null if nobody will ask
   std::size_t most_events = ~std::size_t{0};  ///< more than that are not handled
-  double outlook = 0.0;                   ///< whom balls meet is looked for until then, see lookahead.h; no earlier than `end` [s]
+  double outlook = 0.0;  ///< whom balls meet is looked for until then, see lookahead.h; no earlier than `end` [s]
 };
 
 /// Handles all events of these balls up to the end of the window, one after the other; false if there are more than most_events.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "resting/plan_path.h"
 #include "geometry/feature.h"
+#include "resting/plan_path.h"
 
 namespace ping_pong
 {
@@ -37,7 +37,8 @@ public:
   bool cover(std::size_t body, bool moving, const Shape& shape) const
   {
     for (std::size_t i = 0; i < count_; ++i)
-      if ((moving ? list_[i].body == body : !list_[i].moving) && supportDistance(shape, list_[i].n) <= list_[i].height) return true;
+      if ((moving ? list_[i].body == body : !list_[i].moving) && supportDistance(shape, list_[i].n) <= list_[i].height)
+        return true;
     return false;
   }
 
@@ -68,35 +69,33 @@ private:
 
 // `search(shape, from, until)` finds the first contact with a shape of this body.
 template <typename Search>
-void lookAtShape(const BallRecord& ball, const BodyRecord& body, std::size_t b, std::size_t s, const Planes& planes, double t,
-                 double until, const Search& search, Event& next)
+void lookAtShape(const BallRecord& ball, const BodyRecord& body, std::size_t b, std::size_t s, const Planes& planes,
+                 double t, double until, const Search& search, Event& next)
 {
   if (ball.supports.has(b, s) || planes.cover(b, body.moving, body.shapes()[s])) return;
   const Detection found = search(t, std::min(until, next.time));
   if (found.time < next.time) next = toEvent(found, Event::Kind::HitBody, b, s, body.version);
 }
 
-void lookAtStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t, const Box& way,
-                     Event& next)
+void lookAtStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t,
+                     const Box& way, Event& next)
 {
   for (std::size_t s = 0; s < body.placed.size(); ++s)
   {
     if (!way.overlaps(body.boxes[s])) continue;
-    const auto search = [&](double from, double until) {
-      return firstContact(ball.path, ball.params().radius, body.placed[s], from, until);
-    };
+    const auto search = [&](double from, double until)
+    { return firstContact(ball.path, ball.params().radius, body.placed[s], from, until); };
     lookAtShape(ball, body, b, s, planes, t, kNever, search, next);
   }
 }
 
-void lookAtMovingBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t, double until,
-                      Event& next)
+void lookAtMovingBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t,
+                      double until, Event& next)
 {
   for (std::size_t s = 0; s < body.body.shapes.size(); ++s)
   {
-    const auto search = [&](double from, double before) {
-      return firstContact(ball.path, ball.params().radius, body.body.shapes[s], body.motion, from, before);
-    };
+    const auto search = [&](double from, double before)
+    { return firstContact(ball.path, ball.params().radius, body.body.shapes[s], body.motion, from, before); };
     lookAtShape(ball, body, b, s, planes, t, until, search, next);
   }
 }
@@ -133,8 +132,7 @@ void foresee(WorldState& world, std::size_t i, double t)
     if (!world.bodies[b].moving) lookAtStillBody(ball, world.bodies[b], b, planes, t, way, ball.next);
 }
 
-void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end,
-                 Records& records)
+void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end, Records& records)
 {
   BallRecord& mine = world.balls[i];
   BallRecord& other = world.balls[k];
@@ -143,10 +141,12 @@ void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume,
   const double until = std::min(mine.meetsBall(), window_end);
   const double from = std::max({mine.path.start, other.path.start, resume});
   const BallRecord &first = world.balls[std::min(i, k)], &second = world.balls[std::max(i, k)];
-  const Detection found = firstContact(first.path, first.params().radius, second.path, second.params().radius, from, until);
+  const Detection found =
+      firstContact(first.path, first.params().radius, second.path, second.params().radius, from, until);
   if (!(found.time < mine.meetsBall())) return;
   mine.passing.make().ball = toEvent(found, Event::Kind::HitBall, k, 0, other.version);
-  if (found.time < other.meetsBall()) other.passing.make().ball = toEvent(found, Event::Kind::HitBall, i, 0, mine.version);
+  if (found.time < other.meetsBall())
+    other.passing.make().ball = toEvent(found, Event::Kind::HitBall, i, 0, mine.version);
 }
 
 void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end)

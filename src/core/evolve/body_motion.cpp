@@ -1,6 +1,6 @@
-#include "ping_pong_sim/motion.h"
-
 #include <cmath>
+
+#include "ping_pong_sim/motion.h"
 
 namespace ping_pong
 {
@@ -48,8 +48,8 @@ void angularVelocity(const Vector3d& d, const Vector3d& d1, const Vector3d& d2, 
   const Vector3d c = d.cross(d1);
   const double rate = d.dot(d1);  // theta * theta'
   w = d1 + f.B * c + f.C * d.cross(c);
-  alpha = d2 + f.dB * rate * c + f.B * d.cross(d2) + f.dC * rate * d.cross(c) +
-          f.C * (d1.cross(c) + d.cross(d.cross(d2)));
+  alpha =
+      d2 + f.dB * rate * c + f.B * d.cross(d2) + f.dC * rate * d.cross(c) + f.C * (d1.cross(c) + d.cross(d.cross(d2)));
 }
 }  // namespace
 

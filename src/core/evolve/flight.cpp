@@ -36,7 +36,7 @@ void giveFurtherTerms(double spin_decay, Segment& path)
   further.spin_decay = spin_decay;
 }
 
-constexpr double kSweepsShare = 0.1;   // of the tolerance, left to the sweeps
+constexpr double kSweepsShare = 0.1;  // of the tolerance, left to the sweeps
 constexpr int kMaxSweeps = 40;
 constexpr double kLongestPiece = 1.0;  // [s]
 constexpr double kFirstTry = 3.0;      // length of the first piece, by tolerance^(1/(N+1)) / rate of the flow
@@ -44,7 +44,8 @@ constexpr double kNoKink = std::numeric_limits<double>::infinity();  // [s]
 
 // Velocities at the nodes to begin with: of the piece that was too long, or from a0 and how the acceleration changes along it.
 template <int N>
-typename FlightModel::Rows<N> firstGuess(const FlightModel& model, const Segment& path, double h, const GaussPoints<N>& points)
+typename FlightModel::Rows<N> firstGuess(const FlightModel& model, const Segment& path, double h,
+                                         const GaussPoints<N>& points)
 {
   typename FlightModel::Rows<N> v;
   if (path.degree == N + 1)
@@ -114,7 +115,7 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
 }
 
 constexpr double kCostOfATurn = 1e-4;  // more than a piece across such a turn is ever wrong by [m]
-constexpr double kTooSoon = 1e-7;  // a kink that close to the start is the one that the last piece ended at [s]
+constexpr double kTooSoon = 1e-7;      // a kink that close to the start is the one that the last piece ended at [s]
 
 // First time on the piece at which `beyond` is true, which is false at its start: to 1e-12 s, if some look sees it.
 template <typename Beyond>
@@ -171,7 +172,8 @@ void flyThroughAir(const FlightModel& model, double tolerance, Segment& path)
 {
   constexpr int kCuts = 8;
   double& next_piece = path.further->next_piece;
-  double h = next_piece > 0.0 ? next_piece : kFirstTry * std::pow(tolerance, 1.0 / (N + 1)) / model.rate(path.c[1], path.w_WB);
+  double h =
+      next_piece > 0.0 ? next_piece : kFirstTry * std::pow(tolerance, 1.0 / (N + 1)) / model.rate(path.c[1], path.w_WB);
   h = std::min(h, kLongestPiece);
   path.degree = 0;
   double excess = 1.0;

@@ -1,8 +1,8 @@
 // Evolve: move a ball through the air for a while, no contacts.
 #pragma once
 
-#include "ping_pong_sim/scene.h"
 #include "evolve/segment.h"
+#include "ping_pong_sim/scene.h"
 
 namespace ping_pong
 {

@@ -1,10 +1,9 @@
-#include "ping_pong_sim/forces.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/law_counter.h"
+#include "ping_pong_sim/forces.h"
 
 namespace ping_pong
 {
@@ -77,11 +76,11 @@ double LiftLaw::perSpinRatio(double S) const
 
 double airDensity(double temperature, double altitude)
 {
-  constexpr double kPressure = 101325.0;     // p0 [Pa]
-  constexpr double kSeaTemperature = 288.15; // T0 of the standard atmosphere [K]
-  constexpr double kLapse = 0.0065;          // L [K/m]
-  constexpr double kExponent = 5.2559;       // g M / (R L)
-  constexpr double kGasConstant = 287.05;    // R / M of dry air [J/(kg K)]
+  constexpr double kPressure = 101325.0;      // p0 [Pa]
+  constexpr double kSeaTemperature = 288.15;  // T0 of the standard atmosphere [K]
+  constexpr double kLapse = 0.0065;           // L [K/m]
+  constexpr double kExponent = 5.2559;        // g M / (R L)
+  constexpr double kGasConstant = 287.05;     // R / M of dry air [J/(kg K)]
   const double pressure = kPressure * std::pow(1.0 - kLapse * altitude / kSeaTemperature, kExponent);
   return pressure / (kGasConstant * temperature);
 }
@@ -95,8 +94,8 @@ FlightModel::FlightModel(const Forces& forces, const BallParams& ball) : forces_
   const double heavy = ball.mass - (forces.buoyancy ? displaced : 0.0);
   gravity_ = heavy / inertial * forces.gravity;
   drag_ = forces.drag ? 0.5 * forces.air_density * area / inertial : 0.0;
-  spin_ratio_ = (forces.drag && forces.drag_law.feelsSpin()) ||
-                (forces.magnus && forces.lift_law.kind != LiftLaw::Kind::Linear);
+  spin_ratio_ =
+      (forces.drag && forces.drag_law.feelsSpin()) || (forces.magnus && forces.lift_law.kind != LiftLaw::Kind::Linear);
   lift_ = forces.magnus ? 0.5 * forces.air_density * area * ball.radius / inertial : 0.0;
 }
 
@@ -198,9 +197,8 @@ Vector3d FlightModel::acceleration(const Vector3d& v_WB, const Vector3d& w_WB) c
 
 std::size_t FlightModel::smoothRegion(const Vector3d& v_WB, const Vector3d& w_WB) const
 {
-  const auto below = [](const std::vector<double>& nodes, double x) {
-    return static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
-  };
+  const auto below = [](const std::vector<double>& nodes, double x)
+  { return static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin()); };
   const double speed = (v_WB - forces_->wind).norm();
   const double S = rimSpeed(w_WB) / speed;
   std::size_t region = 0;

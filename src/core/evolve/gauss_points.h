@@ -19,9 +19,9 @@ struct GaussPoints
   static constexpr int kLast = N < 6 ? 3 : 4;  // Legendre coefficients that tell of the error
 
   Vector nodes;
-  Matrix to_powers;        // values at the nodes -> coefficients of tau^k
-  Matrix integral;         // values at the nodes -> their integral from 0 to each node
-  Matrix double_integral;  // the same of the integral
+  Matrix to_powers;                         // values at the nodes -> coefficients of tau^k
+  Matrix integral;                          // values at the nodes -> their integral from 0 to each node
+  Matrix double_integral;                   // the same of the integral
   Eigen::Matrix<double, kLast, N> to_last;  // values at the nodes -> last Legendre coefficients
 
   GaussPoints()

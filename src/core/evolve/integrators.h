@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/law_counter.h"
-#include "ping_pong_sim/forces.h"
 #include "evolve/segment.h"
+#include "ping_pong_sim/forces.h"
 
 namespace ping_pong
 {

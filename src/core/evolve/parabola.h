@@ -30,7 +30,7 @@ struct ParabolaView
   const Vector3d &p, &v, &half_a;
 
   ParabolaView(double its_start, const Vector3d& its_p, const Vector3d& its_v, const Vector3d& its_half_a)
-    : start(its_start), p(its_p), v(its_v), half_a(its_half_a)
+      : start(its_start), p(its_p), v(its_v), half_a(its_half_a)
   {
   }
   ParabolaView(const Parabola& path) : start(path.start), p(path.p), v(path.v), half_a(path.half_a) {}

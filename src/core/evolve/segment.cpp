@@ -18,9 +18,18 @@ Polynomial polynomialOf(const Segment& path)
 }
 }  // namespace
 
-Vector3d Segment::positionOnPolynomial(double s) const { return polynomialOf(*this).at(s); }
-Vector3d Segment::velocityOnPolynomial(double s) const { return polynomialOf(*this).derivativeAt(s); }
-Vector3d Segment::acceleration(double s) const { return polynomialOf(*this).secondDerivativeAt(s); }
+Vector3d Segment::positionOnPolynomial(double s) const
+{
+  return polynomialOf(*this).at(s);
+}
+Vector3d Segment::velocityOnPolynomial(double s) const
+{
+  return polynomialOf(*this).derivativeAt(s);
+}
+Vector3d Segment::acceleration(double s) const
+{
+  return polynomialOf(*this).secondDerivativeAt(s);
+}
 
 Vector3d Segment::spin(double s) const
 {
@@ -82,7 +91,8 @@ struct ToBernstein
   {
     double binomial[kMost + 1][kMost + 1] = {};
     for (int n = 0; n <= kMost; ++n)
-      for (int k = 0; k <= n; ++k) binomial[n][k] = k == 0 || k == n ? 1.0 : binomial[n - 1][k - 1] + binomial[n - 1][k];
+      for (int k = 0; k <= n; ++k)
+        binomial[n][k] = k == 0 || k == n ? 1.0 : binomial[n - 1][k - 1] + binomial[n - 1][k];
     for (int n = 0; n <= kMost; ++n)
       for (int i = 0; i <= n; ++i)
         for (int k = 0; k <= i; ++k) factor[n][i][k] = binomial[i][k] / binomial[n][k];

@@ -4,8 +4,8 @@
 #include <array>
 #include <limits>
 
-#include "ping_pong_sim/ball.h"
 #include "base/pooled.h"
+#include "ping_pong_sim/ball.h"
 
 namespace ping_pong
 {
@@ -15,8 +15,8 @@ struct SpinTerms
   static constexpr int kFirst = 2;  ///< power of s that c begins with
   static constexpr int kLast = 8;
 
-  std::array<Vector3d, kLast - kFirst + 1> c{};      ///< [rad/s^(k+1)], in W
-  double next_piece = 0.0;                           ///< length that will do for the piece after this one, 0: unknown [s]
+  std::array<Vector3d, kLast - kFirst + 1> c{};  ///< [rad/s^(k+1)], in W
+  double next_piece = 0.0;                       ///< length that will do for the piece after this one, 0: unknown [s]
 };
 
 /// What a path has that is not free flight in vacuum.
@@ -25,12 +25,12 @@ struct FurtherTerms
   static constexpr int kFirst = 3;  ///< power of s that c begins with
   static constexpr int kLast = 9;
 
-  std::array<Vector3d, kLast - kFirst + 1> c;        ///< [m/s^k], in W; as many as the degree of the path asks for
-  Vector3d turn_WB = Vector3d::Zero();               ///< turning before s = 0 that is not in q_WB yet [rad]
-  Vector3d alpha_WB = Vector3d::Zero();              ///< on a surface [rad/s^2]
-  double spin_decay = 0.0;                           ///< in the air [1/s]
-  double next_piece = 0.0;                           ///< length that will do for the piece after this one, 0: unknown [s]
-  Vector3d a_low, a_high;                            ///< of a degree above 2, see boundAcceleration() [m/s^2]
+  std::array<Vector3d, kLast - kFirst + 1> c;  ///< [m/s^k], in W; as many as the degree of the path asks for
+  Vector3d turn_WB = Vector3d::Zero();         ///< turning before s = 0 that is not in q_WB yet [rad]
+  Vector3d alpha_WB = Vector3d::Zero();        ///< on a surface [rad/s^2]
+  double spin_decay = 0.0;                     ///< in the air [1/s]
+  double next_piece = 0.0;                     ///< length that will do for the piece after this one, 0: unknown [s]
+  Vector3d a_low, a_high;                      ///< of a degree above 2, see boundAcceleration() [m/s^2]
   Pooled<SpinTerms> spin;
 };
 
@@ -41,15 +41,18 @@ struct Segment
 {
   static constexpr int kMaxDegree = FurtherTerms::kLast;
 
-  Quaterniond q_WB = Quaterniond::Identity();                  ///< orientation at s = 0
-  double start = 0.0;                                          ///< world time of s = 0 [s]
-  double end = std::numeric_limits<double>::infinity();        ///< world time up to which it holds [s]
-  std::array<Vector3d, FurtherTerms::kFirst> c = zeros();      ///< [m/s^k], in W
-  Vector3d w_WB = Vector3d::Zero();                            ///< spin at s = 0 [rad/s]
+  Quaterniond q_WB = Quaterniond::Identity();              ///< orientation at s = 0
+  double start = 0.0;                                      ///< world time of s = 0 [s]
+  double end = std::numeric_limits<double>::infinity();    ///< world time up to which it holds [s]
+  std::array<Vector3d, FurtherTerms::kFirst> c = zeros();  ///< [m/s^k], in W
+  Vector3d w_WB = Vector3d::Zero();                        ///< spin at s = 0 [rad/s]
   Pooled<FurtherTerms> further;
   int degree = 0;
 
-  const Vector3d& coefficient(int k) const { return k < FurtherTerms::kFirst ? c[k] : further->c[k - FurtherTerms::kFirst]; }
+  const Vector3d& coefficient(int k) const
+  {
+    return k < FurtherTerms::kFirst ? c[k] : further->c[k - FurtherTerms::kFirst];
+  }
   /// The same to be written to; the further terms have to be there where they are asked for.
   Vector3d& coefficient(int k) { return k < FurtherTerms::kFirst ? c[k] : further->c[k - FurtherTerms::kFirst]; }
   Vector3d turn_WB() const { return further ? further->turn_WB : Vector3d(Vector3d::Zero()); }

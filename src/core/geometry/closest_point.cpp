@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ping_pong_sim/shape.h"
 #include "geometry/closest_point_here.h"
+#include "ping_pong_sim/shape.h"
 
 namespace ping_pong
 {

@@ -8,7 +8,10 @@ namespace
 {
 // All functions below: Q and the answer in the shape's own frame.
 
-int sideOf(double y, double half) { return y > half ? 1 : y < -half ? -1 : 0; }
+int sideOf(double y, double half)
+{
+  return y > half ? 1 : y < -half ? -1 : 0;
+}
 
 Feature nearestFace(const Vector3d& half, const Vector3d& q)
 {
@@ -103,9 +106,15 @@ bool within(int side, double y, double half)
   return side == 0 ? std::abs(y) <= half + kBorder : side * y >= half - kBorder;
 }
 
-Vector3d inShape(const Shape& shape, const Vector3d& p_BQ) { return shape.R_BS.transpose() * (p_BQ - shape.p_BS); }
+Vector3d inShape(const Shape& shape, const Vector3d& p_BQ)
+{
+  return shape.R_BS.transpose() * (p_BQ - shape.p_BS);
+}
 
-bool hasFeatures(const Shape& shape) { return shape.kind == ShapeKind::Box || shape.kind == ShapeKind::Cylinder; }
+bool hasFeatures(const Shape& shape)
+{
+  return shape.kind == ShapeKind::Box || shape.kind == ShapeKind::Cylinder;
+}
 }  // namespace
 
 Feature featureAt(const Shape& shape, const Vector3d& p_BQ)
@@ -132,7 +141,8 @@ bool onFeature(const Shape& shape, const Feature& feature, const Vector3d& p_BQ)
   if (shape.kind == ShapeKind::Cylinder)
     return within(feature.x, std::hypot(q.x(), q.y()), half.x()) && within(feature.z, q.z(), half.z());
   const int count = (feature.x != 0) + (feature.y != 0) + (feature.z != 0);
-  const auto side = [&](int border, double y, double its_half) { return count == 1 && border != 0 ? border * y > 0.0 : within(border, y, its_half); };
+  const auto side = [&](int border, double y, double its_half)
+  { return count == 1 && border != 0 ? border * y > 0.0 : within(border, y, its_half); };
   return side(feature.x, q.x(), half.x()) && side(feature.y, q.y(), half.y()) && side(feature.z, q.z(), half.z());
 }
 

@@ -8,9 +8,9 @@ namespace ping_pong
 /// Best separating axis of shapes A and B.
 struct Separation
 {
-  double gap = 0.0;                     ///< along the axis: at most the distance, negative in overlap [m]
-  Vector3d n_W = Vector3d::UnitZ();     ///< unit, from B to A
-  Vector3d p_WC = Vector3d::Zero();     ///< point of A that is nearest to B along the axis [m]
+  double gap = 0.0;                  ///< along the axis: at most the distance, negative in overlap [m]
+  Vector3d n_W = Vector3d::UnitZ();  ///< unit, from B to A
+  Vector3d p_WC = Vector3d::Zero();  ///< point of A that is nearest to B along the axis [m]
 };
 
 /// Looks along face normals, cylinder axes and their cross products (Gottschalk, Lin, Manocha, "OBBTree", 1996); where round

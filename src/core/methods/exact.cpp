@@ -1,8 +1,8 @@
 #include "methods/exact.h"
 
-#include "resting/plan_path.h"
 #include "events/event_loop.h"
 #include "events/predict.h"
+#include "resting/plan_path.h"
 #include "windows/solver_handover.h"
 #include "windows/time_windows.h"
 

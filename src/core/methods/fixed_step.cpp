@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/law_counter.h"
-#include "evolve/integrators.h"
 #include "evolve/flight.h"
+#include "evolve/integrators.h"
 #include "ping_pong_sim/resolve.h"
 
 namespace ping_pong
@@ -245,8 +245,20 @@ void run(WorldState& world, double end)
 }
 }  // namespace
 
-void runEulerExplicit(WorldWithWindows& world, double end) { run<stepExplicit>(world, end); }
-void runEulerSemiImplicit(WorldWithWindows& world, double end) { run<stepSemiImplicit>(world, end); }
-void runVerlet(WorldWithWindows& world, double end) { run<stepVerlet>(world, end); }
-void runRk4(WorldWithWindows& world, double end) { run<stepRk4>(world, end); }
+void runEulerExplicit(WorldWithWindows& world, double end)
+{
+  run<stepExplicit>(world, end);
+}
+void runEulerSemiImplicit(WorldWithWindows& world, double end)
+{
+  run<stepSemiImplicit>(world, end);
+}
+void runVerlet(WorldWithWindows& world, double end)
+{
+  run<stepVerlet>(world, end);
+}
+void runRk4(WorldWithWindows& world, double end)
+{
+  run<stepRk4>(world, end);
+}
 }  // namespace ping_pong

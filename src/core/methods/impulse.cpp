@@ -2,7 +2,10 @@
 
 namespace ping_pong
 {
-void reserveImpulse(WorldWithWindows& world, std::size_t balls) { reservePile(world.pile, balls, !world.scene.forces.dependOnVelocity()); }
+void reserveImpulse(WorldWithWindows& world, std::size_t balls)
+{
+  reservePile(world.pile, balls, !world.scene.forces.dependOnVelocity());
+}
 
 void startImpulse(WorldWithWindows& world)
 {
@@ -20,5 +23,8 @@ void impulseBallChanged(WorldWithWindows& world, std::size_t ball)
     restatePile(world, i);
 }
 
-void runImpulse(WorldWithWindows& world, double end) { runPile(world, world.time, end, world.scene.dt); }
+void runImpulse(WorldWithWindows& world, double end)
+{
+  runPile(world, world.time, end, world.scene.dt);
+}
 }  // namespace ping_pong

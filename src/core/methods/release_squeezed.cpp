@@ -1,7 +1,7 @@
 #include "methods/release_squeezed.h"
 
-#include "resting/plan_path.h"
 #include "events/predict.h"
+#include "resting/plan_path.h"
 #include "state/free_space.h"
 
 namespace ping_pong
@@ -17,7 +17,8 @@ void releaseSqueezed(WorldWithWindows& world)
     if (!ball.squeezed()) continue;
     const BallState state = ball.stateAt(world.time);
     const double radius = ball.params().radius;
-    const bool has_room = ball.ofSolver() ? hasRoomInPile(world, state.p_WB, radius, i) : hasRoom(world, state.p_WB, radius, i);
+    const bool has_room =
+        ball.ofSolver() ? hasRoomInPile(world, state.p_WB, radius, i) : hasRoom(world, state.p_WB, radius, i);
     world.any_squeezed |= !has_room;
     if (!has_room) continue;
     if (ball.ofSolver())

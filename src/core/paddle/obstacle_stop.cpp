@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "paddle/paddle_drive.h"
 #include "geometry/separating_axis.h"
+#include "paddle/paddle_drive.h"
 
 namespace ping_pong
 {
@@ -13,10 +13,10 @@ namespace
 constexpr double kBand = 1e-4;  // [m]
 // Overlap (a table was moved onto the paddle) is undone at this rate and no faster than this speed, until this gap.
 constexpr double kKeepGap = 0.25 * kBand;  // [m]
-constexpr double kPushOutTime = 0.02;   // [s]
-constexpr double kPushOutSpeed = 1.0;   // [m/s]
-constexpr double kSlowest = 1e-12;      // closing slower than this is none [m/s]
-constexpr double kShortest = 1e-5;      // a motion cut shorter than this stops instead [s]
+constexpr double kPushOutTime = 0.02;      // [s]
+constexpr double kPushOutSpeed = 1.0;      // [m/s]
+constexpr double kSlowest = 1e-12;         // closing slower than this is none [m/s]
+constexpr double kShortest = 1e-5;         // a motion cut shorter than this stops instead [s]
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr int kMaxLooks = 64;
 constexpr int kMaxProjections = 16;
@@ -27,9 +27,9 @@ struct SpeedBound
   double linear, angular, reach;
 
   SpeedBound(const std::vector<Shape>& shapes, const BodyMotion& motion, double h)
-    : linear(motion.twist.v.norm() + h * motion.a_WB.norm())
-    , angular(motion.twist.w.norm() + h * motion.alpha_WB.norm())
-    , reach(0.0)
+      : linear(motion.twist.v.norm() + h * motion.a_WB.norm()),
+        angular(motion.twist.w.norm() + h * motion.alpha_WB.norm()),
+        reach(0.0)
   {
     for (const Shape& shape : shapes) reach = std::max(reach, shape.p_BS.norm() + boundingRadius(shape));
   }
@@ -93,8 +93,7 @@ bool bendAwayFromAll(const std::vector<ShapePair>& pairs, double band, double h,
 }
 
 // How long after s the gap along this axis stays above what is left of it for now.
-double safeFor(const Separation& at, const BodyMotion& motion, double s, double h,
-               const SpeedBound& bound)
+double safeFor(const Separation& at, const BodyMotion& motion, double s, double h, const SpeedBound& bound)
 {
   const double slack = at.gap > kBand ? at.gap - 0.5 * kBand : std::max(0.5 * at.gap, 0.0);
   const double closing = -at.n_W.dot(motion.twist.v + s * motion.a_WB);
@@ -104,7 +103,8 @@ double safeFor(const Separation& at, const BodyMotion& motion, double s, double 
 }
 
 // Latest time up to which the motion keeps clear.
-double clearUntil(const std::vector<Shape>& shapes, const BodyMotion& motion, double h, const std::vector<ShapePair>& pairs)
+double clearUntil(const std::vector<Shape>& shapes, const BodyMotion& motion, double h,
+                  const std::vector<ShapePair>& pairs)
 {
   const SpeedBound bound(shapes, motion, h);
   double s = 0.0;

@@ -1,8 +1,7 @@
-#include "ping_pong_sim/resolve.h"
-
 #include <cmath>
 
 #include "base/law_counter.h"
+#include "ping_pong_sim/resolve.h"
 
 namespace ping_pong
 {
@@ -38,8 +37,7 @@ Vector3d tangential(const Vector3d& u, const Vector3d& n)
 }
 }  // namespace
 
-Vector3d bounce(const Surface& law, const BallParams& ball, BallState& state, const Vector3d& u_WC,
-                const Vector3d& n_W)
+Vector3d bounce(const Surface& law, const BallParams& ball, BallState& state, const Vector3d& u_WC, const Vector3d& n_W)
 {
   const Vector3d relative = state.v_WB - u_WC;
   const double closing = -n_W.dot(relative);
@@ -57,8 +55,8 @@ Vector3d bounce(const Surface& law, const BallParams& ball, BallState& state, co
   return normal * n_W + sideways;
 }
 
-Vector3d part(const Surface& law, double speed, const BallParams& ball1, BallState& state1,
-              const BallParams& ball2, BallState& state2, const Vector3d& n_W)
+Vector3d part(const Surface& law, double speed, const BallParams& ball1, BallState& state1, const BallParams& ball2,
+              BallState& state2, const Vector3d& n_W)
 {
   const Vector3d relative = state1.v_WB - state2.v_WB;
   const double closing = -n_W.dot(relative);

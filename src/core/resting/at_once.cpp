@@ -39,14 +39,16 @@ double gripRound(const HeldBall& held, const Grips& grips, const ContactProblem*
     change = std::max({change, f.norm(), grips[i].contact ? std::abs(push) : 0.0});
     if (!grips[i].roll && !grips[i].spin) continue;
     at = supportPoint(held.surface[i], ball, held.radius, t);
-    const Vector3d turn = (grips[i].roll ? at.roll : Vector3d(Vector3d::Zero())) + (grips[i].spin ? at.spin : 0.0) * at.n;
+    const Vector3d turn =
+        (grips[i].roll ? at.roll : Vector3d(Vector3d::Zero())) + (grips[i].spin ? at.spin : 0.0) * at.n;
     ball.s -= turn;
     change = std::max(change, turn.norm());
   }
   return change;
 }
 
-bool gripIn(int rounds, const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t, BallMotion& ball)
+bool gripIn(int rounds, const HeldBall& held, const Grips& grips, const ContactProblem* modes, double t,
+            BallMotion& ball)
 {
   const double none = 1e-3 * noSpeed(ball), most = 1e3 * (1.0 + ball.v.norm() + ball.s.norm());
   for (int round = 0; round < rounds; ++round)

@@ -28,7 +28,8 @@ Effect effectOfLoad(const ContactProblem& problem, std::size_t i)
   effect << n, Vector3d::Zero();
   if (mode.slip == Resistance::Slips) effect += effectOfForce(n, -law.friction * mode.slip_direction, problem.k);
   if (mode.roll == Resistance::Slips) effect += effectOfTorque(-rollLimit(law, problem.k, 1.0) * mode.roll_direction);
-  if (mode.spin == Resistance::Slips) effect += effectOfTorque(-spinLimit(law, problem.k, 1.0) * mode.spin_direction * n);
+  if (mode.spin == Resistance::Slips)
+    effect += effectOfTorque(-spinLimit(law, problem.k, 1.0) * mode.spin_direction * n);
   return effect;
 }
 
@@ -40,7 +41,8 @@ std::array<Vector3d, 2> tangentsOf(const Vector3d& n)
   return {e1, n.cross(e1)};
 }
 
-ContactEquations::ContactEquations(const ContactProblem& problem) : rows(6, kMostUnknowns), columns(6, kMostUnknowns), wanted(kMostUnknowns)
+ContactEquations::ContactEquations(const ContactProblem& problem)
+    : rows(6, kMostUnknowns), columns(6, kMostUnknowns), wanted(kMostUnknowns)
 {
   for (std::size_t i = 0; i < problem.count; ++i)
     if (problem.mode[i].loaded) addSupport(problem, i);
@@ -88,7 +90,8 @@ Unknowns ContactEquations::missing(const ContactProblem& problem, const Unknowns
 int unknownsAt(const ContactProblem& problem, std::size_t i)
 {
   const SupportMode& mode = problem.mode[i];
-  return 1 + 2 * (mode.slip == Resistance::Holds) + 2 * (mode.roll == Resistance::Holds) + (mode.spin == Resistance::Holds);
+  return 1 + 2 * (mode.slip == Resistance::Holds) + 2 * (mode.roll == Resistance::Holds) +
+         (mode.spin == Resistance::Holds);
 }
 
 Unknowns unknownsOf(const ContactProblem& problem, const SupportForces& forces)

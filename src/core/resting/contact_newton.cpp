@@ -10,21 +10,27 @@ namespace ping_pong
 namespace
 {
 constexpr int kMaxRounds = 20;
-constexpr double kMet = 1e-14;       // what is left, as a part of the scale of accelerations and forces
-constexpr double kNoPivot = 1e-12;   // forces that hold each other stay as they are
+constexpr double kMet = 1e-14;      // what is left, as a part of the scale of accelerations and forces
+constexpr double kNoPivot = 1e-12;  // forces that hold each other stay as they are
 
 // x - projection(x - w(x)) and its derivative, row by row.
 struct Remainder
 {
   const ContactProblem& problem;
   const Unknowns& x;
-  const Unknowns& w;  // accelerations against what is wanted
+  const Unknowns& w;     // accelerations against what is wanted
   const Square& matrix;  // dw/dx
   Unknowns value;
   Square slope;
 
-  Remainder(const ContactProblem& its_problem, const Unknowns& forces, const Unknowns& accelerations, const Square& its_matrix)
-    : problem(its_problem), x(forces), w(accelerations), matrix(its_matrix), value(forces.size()), slope(forces.size(), forces.size())
+  Remainder(const ContactProblem& its_problem, const Unknowns& forces, const Unknowns& accelerations,
+            const Square& its_matrix)
+      : problem(its_problem),
+        x(forces),
+        w(accelerations),
+        matrix(its_matrix),
+        value(forces.size()),
+        slope(forces.size(), forces.size())
   {
     int next = 0;
     for (std::size_t i = 0; i < problem.count; ++i)
@@ -33,7 +39,8 @@ struct Remainder
       const Surface& law = *problem.law[i];
       const int load = next;
       addLoad(next++);
-      if (mode.slip == Resistance::Holds) addLimited<2>(next, load, frictionLimit(law, 1.0), 1.0 / (1.0 + 1.0 / problem.k));
+      if (mode.slip == Resistance::Holds)
+        addLimited<2>(next, load, frictionLimit(law, 1.0), 1.0 / (1.0 + 1.0 / problem.k));
       if (mode.roll == Resistance::Holds) addLimited<2>(next, load, rollLimit(law, problem.k, 1.0), 1.0);
       if (mode.spin == Resistance::Holds) addLimited<1>(next, load, spinLimit(law, problem.k, 1.0), 1.0);
     }
@@ -74,7 +81,8 @@ struct Remainder
       return;
     }
     const Part along = wanted / size;
-    const Eigen::Matrix<double, kSize, kSize> turns = limit / size * (Eigen::Matrix<double, kSize, kSize>::Identity() - along * along.transpose());
+    const Eigen::Matrix<double, kSize, kSize> turns =
+        limit / size * (Eigen::Matrix<double, kSize, kSize>::Identity() - along * along.transpose());
     value.segment<kSize>(row) = x.segment<kSize>(row) - limit * along;
     slope.middleRows<kSize>(row) = give * turns * matrix.middleRows<kSize>(row);
     slope.block<kSize, kSize>(row, row) += Eigen::Matrix<double, kSize, kSize>::Identity() - turns;

@@ -12,9 +12,10 @@ namespace ping_pong
 namespace
 {
 constexpr int kMaxSweeps = 400;
-constexpr int kPatience = 100;        // sweeps, before it is asked whether supports press on each other
-constexpr int kSlowSweeps = 20;       // with so many left to do, Newton's method is tried
-constexpr double kConverged = 4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
+constexpr int kPatience = 100;   // sweeps, before it is asked whether supports press on each other
+constexpr int kSlowSweeps = 20;  // with so many left to do, Newton's method is tried
+constexpr double kConverged =
+    4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
 constexpr double kGoodEnough = 1e-4;  // where sweeps come to their end slowly; where there is no end they grow
 
 Vector3d limited(const Vector3d& f, double most)
@@ -118,21 +119,27 @@ Resistance kindOf(double force, double limit, double rate, double slack)
 }
 }  // namespace
 
-double frictionLimit(const Surface& law, double load) { return load > 0.0 ? law.friction * load : 0.0; }
+double frictionLimit(const Surface& law, double load)
+{
+  return load > 0.0 ? law.friction * load : 0.0;
+}
 
 double rollLimit(const Surface& law, double k, double load)
 {
   return load > 0.0 ? (1.0 + k) / k * law.rolling_resistance * load : 0.0;
 }
 
-double spinLimit(const Surface& law, double k, double load) { return load > 0.0 ? law.spin_friction / k * load : 0.0; }
+double spinLimit(const Surface& law, double k, double load)
+{
+  return load > 0.0 ? law.spin_friction / k * load : 0.0;
+}
 
 double scaleOf(const ContactProblem& problem)
 {
   double scale = problem.free.a.norm() + problem.free.b.norm();
   for (std::size_t i = 0; i < problem.count; ++i)
-    scale = std::max({scale, std::abs(problem.at[i].least), problem.at[i].slip_bias.norm(), problem.at[i].roll_bias.norm(),
-                      std::abs(problem.at[i].spin_bias)});
+    scale = std::max({scale, std::abs(problem.at[i].least), problem.at[i].slip_bias.norm(),
+                      problem.at[i].roll_bias.norm(), std::abs(problem.at[i].spin_bias)});
   return scale;
 }
 
@@ -167,7 +174,9 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
     if (sweeper.change <= kConverged * (scale + sweeper.largest)) return true;
     if ((i == 20 || i == 100) && polishForces(problem, motion, forces)) return true;
     // Sweeps that come to the border of what can be held do so without end.
-    if (i == kPatience && allHold(withLoads(problem, &forces, kContactRounding * scale), SupportForces(), true, motion, forces)) return true;
+    if (i == kPatience &&
+        allHold(withLoads(problem, &forces, kContactRounding * scale), SupportForces(), true, motion, forces))
+      return true;
     if (!(sweeper.change < 1e9 * scale)) return false;
   }
   return sweeper.change <= kGoodEnough * scale;
@@ -202,7 +211,8 @@ std::array<SupportMode, kMaxSupports> modesOf(const ContactProblem& problem, con
     }
     if (mode.spin == Resistance::Holds)
     {
-      mode.spin = kindOf(std::abs(force.spin), spinLimit(law, problem.k, force.load), std::abs(spinRate(at, motion)), slack);
+      mode.spin =
+          kindOf(std::abs(force.spin), spinLimit(law, problem.k, force.load), std::abs(spinRate(at, motion)), slack);
       mode.spin_direction = -std::copysign(1.0, force.spin);
     }
   }

@@ -9,8 +9,8 @@
 #include <array>
 #include <cstdint>
 
-#include "state/supports.h"
 #include "resting/support_point.h"
+#include "state/supports.h"
 
 namespace ping_pong
 {
@@ -31,7 +31,8 @@ struct SupportMode
   Resistance slip = Resistance::None;
   Resistance roll = Resistance::None;
   Resistance spin = Resistance::None;
-  Vector3d slip_direction = Vector3d::Zero();  ///< unit: of the slip, or where it begins, against the friction that could not hold it
+  Vector3d slip_direction =
+      Vector3d::Zero();  ///< unit: of the slip, or where it begins, against the friction that could not hold it
   Vector3d roll_direction = Vector3d::Zero();
   double spin_direction = 0.0;
 
@@ -55,10 +56,10 @@ struct ContactProblem
 /// Forces per mass of one support on the ball [m/s^2].
 struct SupportForce
 {
-  double load = 0.0;                        ///< N / m, along n
-  Vector3d friction = Vector3d::Zero();     ///< f / m, tangential
-  Vector3d roll = Vector3d::Zero();         ///< torque / (k m r), tangential: what it adds to b
-  double spin = 0.0;                        ///< the same about n
+  double load = 0.0;                     ///< N / m, along n
+  Vector3d friction = Vector3d::Zero();  ///< f / m, tangential
+  Vector3d roll = Vector3d::Zero();      ///< torque / (k m r), tangential: what it adds to b
+  double spin = 0.0;                     ///< the same about n
 };
 using SupportForces = std::array<SupportForce, kMaxSupports>;
 

@@ -14,7 +14,7 @@ namespace
 constexpr double kNoSpeed = 1e-12;    // rounding of speeds near 1 m/s [m/s]
 constexpr double kMostStopped = 1e2;  // faster than this times the grip time nothing is stopped within it [m/s^2]
 constexpr int kRounds = 4;            // of decisions: each lets something slip that could not be stopped
-constexpr double kParts = 1e-8;  // a surface that carries nothing is left at this speed [m/s]
+constexpr double kParts = 1e-8;       // a surface that carries nothing is left at this speed [m/s]
 
 // A resistance before it is known what it can do.
 struct Candidate
@@ -39,14 +39,21 @@ struct Candidates
 Candidates candidatesAt(const Surface& law, const SupportPoint& at, double none, double grip_time)
 {
   const bool rough = law.friction > 0.0;
-  const bool always = law.friction == std::numeric_limits<double>::infinity();  // what a grip has left of slip is rounding
+  const bool always =
+      law.friction == std::numeric_limits<double>::infinity();  // what a grip has left of slip is rounding
   return {candidateOf(rough, always ? 0.0 : at.slip.norm(), none, grip_time),
           candidateOf(rough && law.rolling_resistance > 0.0, at.roll.norm(), none, grip_time),
           candidateOf(rough && law.spin_friction > 0.0, std::abs(at.spin), none, grip_time)};
 }
 
-Vector3d directionOf(const Vector3d& x) { return x.normalized(); }
-double directionOf(double x) { return x < 0.0 ? -1.0 : 1.0; }
+Vector3d directionOf(const Vector3d& x)
+{
+  return x.normalized();
+}
+double directionOf(double x)
+{
+  return x < 0.0 ? -1.0 : 1.0;
+}
 
 // One resistance of one support: where it is found in the problem, and whether it may be stopped.
 template <class Value>
@@ -146,7 +153,10 @@ void countResistances(const ContactProblem& problem)
 }
 
 // A resistance that slips is used up after this time, at its present rate.
-double usedUpAfter(double speed, double rate) { return rate < 0.0 ? -speed / rate : kNever; }
+double usedUpAfter(double speed, double rate)
+{
+  return rate < 0.0 ? -speed / rate : kNever;
+}
 }  // namespace
 
 HeldBall heldBall(const WorldState& world, const BallRecord& ball, const Vector3d& p_WB, double t)
@@ -168,7 +178,10 @@ HeldBall heldBall(const WorldState& world, const BallRecord& ball, const Vector3
   return held;
 }
 
-BallMotion motionOf(const BallState& state, double radius) { return {state.p_WB, state.v_WB, radius * state.w_WB}; }
+BallMotion motionOf(const BallState& state, double radius)
+{
+  return {state.p_WB, state.v_WB, radius * state.w_WB};
+}
 
 ContactProblem problemAt(const HeldBall& held, const BallMotion& ball, double t)
 {
@@ -248,9 +261,12 @@ double slipsFor(const Decision& decision)
   {
     const SupportPoint& at = problem.at[i];
     const SupportMode& mode = problem.mode[i];
-    if (mode.slip == Resistance::Slips) first = std::min(first, usedUpAfter(at.slip.norm(), mode.slip_direction.dot(slipRate(at, motion))));
-    if (mode.roll == Resistance::Slips) first = std::min(first, usedUpAfter(at.roll.norm(), mode.roll_direction.dot(rollRate(at, motion))));
-    if (mode.spin == Resistance::Slips) first = std::min(first, usedUpAfter(std::abs(at.spin), mode.spin_direction * spinRate(at, motion)));
+    if (mode.slip == Resistance::Slips)
+      first = std::min(first, usedUpAfter(at.slip.norm(), mode.slip_direction.dot(slipRate(at, motion))));
+    if (mode.roll == Resistance::Slips)
+      first = std::min(first, usedUpAfter(at.roll.norm(), mode.roll_direction.dot(rollRate(at, motion))));
+    if (mode.spin == Resistance::Slips)
+      first = std::min(first, usedUpAfter(std::abs(at.spin), mode.spin_direction * spinRate(at, motion)));
   }
   return first;
 }
@@ -267,5 +283,8 @@ Grips allThatAlwaysGrips(const Decision& decision, const BallMotion& ball)
   return heldIfAnyStops(problem, slipping);
 }
 
-double noSpeed(const BallMotion& ball) { return kNoSpeed * (1.0 + ball.v.norm() + ball.s.norm()); }
+double noSpeed(const BallMotion& ball)
+{
+  return kNoSpeed * (1.0 + ball.v.norm() + ball.s.norm());
+}
 }  // namespace ping_pong

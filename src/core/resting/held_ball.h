@@ -38,8 +38,8 @@ struct Decision
   ContactProblem problem;
   BallAcceleration motion;
   SupportForces forces;
-  Grips stops;            ///< all that holds, if some of it can be stopped within the grip time but is not at rest yet
-  bool answered = true;   ///< else nothing that Coulomb's law allows
+  Grips stops;           ///< all that holds, if some of it can be stopped within the grip time but is not at rest yet
+  bool answered = true;  ///< else nothing that Coulomb's law allows
 };
 
 /// Whether a slip, a roll or a spin is slow enough to be stopped within the grip time, but not at rest.

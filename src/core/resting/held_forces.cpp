@@ -10,11 +10,11 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kPasses = 2;       // over all directions in which supports press on each other
-constexpr int kCuts = 24;        // of golden section, to 1e-5 of the range
+constexpr int kPasses = 2;          // over all directions in which supports press on each other
+constexpr int kCuts = 24;           // of golden section, to 1e-5 of the range
 constexpr double kNoMotion = 1e-9;  // what inner forces do to the ball, as a part of them: rounding
-constexpr double kFarApart = 0.1; // distance of two contacts, as a part of the radius, that makes an axis
-constexpr double kAllMet = 1e-9; // what is missed of the wanted accelerations, as a part of the scale, is rounding
+constexpr double kFarApart = 0.1;   // distance of two contacts, as a part of the radius, that makes an axis
+constexpr double kAllMet = 1e-9;    // what is missed of the wanted accelerations, as a part of the scale, is rounding
 
 struct LinearProblem
 {
@@ -65,7 +65,8 @@ double marginOf(const ContactProblem& problem, const Unknowns& forces)
     const Surface& law = *problem.law[i];
     const SupportForce force = forceOf(problem, i, forces, next);
     margin = std::min(margin, force.load);
-    const auto inside = [&](double limit, double its_force) { margin = std::min(margin, kInsideLimit * limit - its_force); };
+    const auto inside = [&](double limit, double its_force)
+    { margin = std::min(margin, kInsideLimit * limit - its_force); };
     if (mode.slip == Resistance::Holds) inside(frictionLimit(law, force.load), force.friction.norm());
     if (mode.roll == Resistance::Holds) inside(rollLimit(law, problem.k, force.load), force.roll.norm());
     if (mode.spin == Resistance::Holds) inside(spinLimit(law, problem.k, force.load), std::abs(force.spin));
@@ -109,7 +110,8 @@ void pressWithinLimits(const ContactProblem& problem, double enough, double most
     if (marginOf(problem, linear.forces) > enough) return;
     const Unknowns direction = linear.internal(wished);
     const double moves = (linear.equations.columns.leftCols(linear.count()) * direction).norm();
-    if (direction.norm() > 1e-6 && moves <= kNoMotion * direction.norm()) pressAlong(problem, direction / direction.norm(), most, enough, linear.forces);
+    if (direction.norm() > 1e-6 && moves <= kNoMotion * direction.norm())
+      pressAlong(problem, direction / direction.norm(), most, enough, linear.forces);
   };
   Unknowns loads = Unknowns::Zero(linear.count());
   for (std::size_t i = 0, next = 0; i < problem.count; ++i)
@@ -147,9 +149,8 @@ bool onOne(const ContactProblem& problem, BallAcceleration& motion)
   const double load = at.least - at.n.dot(motion.a);
   motion.a += load * at.n;
   if (mode.slip == Resistance::None) return true;
-  const Vector3d f = mode.slip == Resistance::Slips
-                         ? Vector3d(-problem.law[0]->friction * load * mode.slip_direction)
-                         : Vector3d(-slipRate(at, motion) / (1.0 + 1.0 / problem.k));
+  const Vector3d f = mode.slip == Resistance::Slips ? Vector3d(-problem.law[0]->friction * load * mode.slip_direction)
+                                                    : Vector3d(-slipRate(at, motion) / (1.0 + 1.0 / problem.k));
   motion.a += f;
   motion.b -= at.n.cross(f) / problem.k;
   return true;
@@ -157,7 +158,8 @@ bool onOne(const ContactProblem& problem, BallAcceleration& motion)
 
 bool onlySticks(const SupportMode& mode)
 {
-  return mode.loaded && mode.slip == Resistance::Holds && mode.roll == Resistance::None && mode.spin == Resistance::None;
+  return mode.loaded && mode.slip == Resistance::Holds && mode.roll == Resistance::None &&
+         mode.spin == Resistance::None;
 }
 
 // Two supports that stick, as in a groove, leave the ball the turning about the axis through both contacts. With w the
@@ -176,14 +178,16 @@ bool onTwoThatStick(const ContactProblem& problem, BallAcceleration& motion)
   const Vector3d d = between / distance, turning = d.cross(one.n);
   const Vector3d b_across = d.cross(difference) / distance;
   const Vector3d a_across = w + b_across.cross(one.n);
-  const double along = (problem.k * problem.free.b.dot(d) - (a_across - problem.free.a).dot(turning)) / (turning.squaredNorm() + problem.k);
+  const double along = (problem.k * problem.free.b.dot(d) - (a_across - problem.free.a).dot(turning)) /
+                       (turning.squaredNorm() + problem.k);
   motion.a = a_across + along * turning;
   motion.b = b_across + along * d;
   return true;
 }
 }  // namespace
 
-bool allHold(const ContactProblem& problem, const SupportForces& near, bool squeezed, BallAcceleration& motion, SupportForces& forces)
+bool allHold(const ContactProblem& problem, const SupportForces& near, bool squeezed, BallAcceleration& motion,
+             SupportForces& forces)
 {
   LinearProblem linear(problem);
   if (linear.count() == 0) return false;

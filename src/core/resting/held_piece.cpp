@@ -11,12 +11,12 @@ namespace ping_pong
 namespace
 {
 constexpr int kMaxSweeps = 40;
-constexpr double kFirstTry = 5e-3;     // [s]
-constexpr double kLongestPiece = 0.1;  // [s]
-constexpr double kBeforeRest = 0.9;    // of the time until a slip ends: its direction may change fast at the end
-constexpr double kEndOfBisection = 1e-13;  // [s]
+constexpr double kFirstTry = 5e-3;          // [s]
+constexpr double kLongestPiece = 0.1;       // [s]
+constexpr double kBeforeRest = 0.9;         // of the time until a slip ends: its direction may change fast at the end
+constexpr double kEndOfBisection = 1e-13;   // [s]
 constexpr double kInsideTolerance = 2e-11;  // [m]
-constexpr int kLooks = 4;              // at a piece, for what ends it
+constexpr int kLooks = 4;                   // at a piece, for what ends it
 
 using Places = Eigen::Matrix<double, kNodes, 3>;
 
@@ -55,8 +55,8 @@ double excessOf(const Rates& rates, double h, double tolerance)
 }
 
 // One piece of length h; false if its error is above the tolerance, or the sweeps do not end. `excess` is error / tolerance.
-bool collocate(const HeldBall& held, const Decision& decision, const BallMotion& ball, double t, double h, double tolerance,
-               Segment& path, double& excess)
+bool collocate(const HeldBall& held, const Decision& decision, const BallMotion& ball, double t, double h,
+               double tolerance, Segment& path, double& excess)
 {
   const GaussPoints<kNodes>& points = gaussPoints();
   Eigen::Matrix<double, 1, 6> start, first;
@@ -70,10 +70,12 @@ bool collocate(const HeldBall& held, const Decision& decision, const BallMotion&
   for (int sweep = 0;; ++sweep)
   {
     const Places places =
-        (h * points.nodes * ball.v.transpose() + (h * h) * (points.double_integral * rates.leftCols<3>())).rowwise() + ball.p.transpose();
+        (h * points.nodes * ball.v.transpose() + (h * h) * (points.double_integral * rates.leftCols<3>())).rowwise() +
+        ball.p.transpose();
     for (int i = 0; i < kNodes; ++i)
     {
-      const BallMotion at{places.row(i).transpose(), speeds.row(i).head<3>().transpose(), speeds.row(i).tail<3>().transpose()};
+      const BallMotion at{places.row(i).transpose(), speeds.row(i).head<3>().transpose(),
+                          speeds.row(i).tail<3>().transpose()};
       rates.row(i) = turning.ratesAt(i, at);
     }
     const auto led = [&] { return Speeds((h * (points.integral * rates)).rowwise() + start); };
@@ -148,7 +150,9 @@ void layHeldPiece(const HeldBall& held, const Decision& decision, const BallMoti
   {
     if (h <= shortest)  // nothing smooth is left to follow: the motion of this instant, for a moment
     {
-      layThrough((Eigen::Matrix<double, 1, 6>() << decision.motion.a.transpose(), decision.motion.b.transpose()).finished().replicate<kNodes, 1>(),
+      layThrough((Eigen::Matrix<double, 1, 6>() << decision.motion.a.transpose(), decision.motion.b.transpose())
+                     .finished()
+                     .replicate<kNodes, 1>(),
                  h, held.radius, path);
       break;
     }

@@ -1,9 +1,9 @@
 #include "resting/joint_impact.h"
 
-#include "resting/plan_path.h"
-#include "state/contact_log.h"
 #include "resting/at_once.h"
+#include "resting/plan_path.h"
 #include "state/collapse_guard.h"
+#include "state/contact_log.h"
 
 namespace ping_pong
 {
@@ -11,9 +11,13 @@ namespace
 {
 constexpr double kTogether = 1e-9;  // a surface this near is struck, too [m]
 
-bool isTouched(const Gap& gap) { return std::abs(gap.gap) <= kTogether && gap.rate <= kDeadSpeed; }
+bool isTouched(const Gap& gap)
+{
+  return std::abs(gap.gap) <= kTogether && gap.rate <= kDeadSpeed;
+}
 
-Supports touchedSurfaces(const WorldState& world, const BallRecord& ball, const Event& event, const BallState& state, double t)
+Supports touchedSurfaces(const WorldState& world, const BallRecord& ball, const Event& event, const BallState& state,
+                         double t)
 {
   Supports touched;
   touched.add(event.other, event.shape);
@@ -27,8 +31,8 @@ Supports touchedSurfaces(const WorldState& world, const BallRecord& ball, const 
 }
 
 // A contact for each surface, with its own impulse; velocities are those before and after all of them.
-void record(const WorldState& world, Records& records, std::size_t i, const HeldBall& held, const SupportForces& impulses, double t,
-            const BallState& before, const BallState& after)
+void record(const WorldState& world, Records& records, std::size_t i, const HeldBall& held,
+            const SupportForces& impulses, double t, const BallState& before, const BallState& after)
 {
   const BallRecord& ball = world.balls[i];
   for (std::size_t k = 0; k < held.count; ++k)
@@ -37,17 +41,20 @@ void record(const WorldState& world, Records& records, std::size_t i, const Held
     const Supports::Surface& surface = ball.supports[k];
     const BodyRecord& body = world.bodies[surface.body];
     const Vector3d n = gapOver(body, body.shapes()[surface.shape], ball, before, t).n_W;
-    const Vector3d u = body.moving ? body.at(t).pointVelocity(before.p_WB - held.radius * n) : Vector3d(Vector3d::Zero());
+    const Vector3d u =
+        body.moving ? body.at(t).pointVelocity(before.p_WB - held.radius * n) : Vector3d(Vector3d::Zero());
     Event event;
     event.other = surface.body;
     event.shape = surface.shape;
-    Contact* contact = recordBodyContact(records, ball, i, event, {before.p_WB, before.v_WB, after.v_WB, before.w_WB, after.w_WB}, n, u, t);
+    Contact* contact = recordBodyContact(records, ball, i, event,
+                                         {before.p_WB, before.v_WB, after.v_WB, before.w_WB, after.w_WB}, n, u, t);
     if (contact) contact->impulse = ball.params().mass * (impulses[k].load * n + impulses[k].friction);
   }
 }
 }  // namespace
 
-bool strikeAllTouched(WorldState& world, Records& records, std::size_t i, const Event& event, double t, BallState& state)
+bool strikeAllTouched(WorldState& world, Records& records, std::size_t i, const Event& event, double t,
+                      BallState& state)
 {
   BallRecord& ball = world.balls[i];
   Supports touched = touchedSurfaces(world, ball, event, state, t);

@@ -11,5 +11,6 @@ namespace ping_pong
 /// @param event  the impact that is due at time t
 /// @param state  of the ball i before; changed to what it is after
 /// @return  false if it touches nothing else, or the impact has no answer; nothing is changed then
-bool strikeAllTouched(WorldState& world, Records& records, std::size_t i, const Event& event, double t, BallState& state);
+bool strikeAllTouched(WorldState& world, Records& records, std::size_t i, const Event& event, double t,
+                      BallState& state);
 }  // namespace ping_pong

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "evolve/integrators.h"
 #include "evolve/flight.h"
+#include "evolve/integrators.h"
 #include "resting/at_once.h"
 #include "resting/held_piece.h"
 #include "state/collapse_guard.h"
@@ -21,21 +21,21 @@ constexpr double kTouchedFraction = 1e-7;   // parting with less than this part 
 constexpr double kMostTouched = 1e-3;       // the same where contact and parting have followed each other without end
 constexpr int kProjections = 4;
 constexpr double kNearlyParallel = 0.02;   // angle between two normals [rad]
-constexpr double kShareOfPieces = 0.1;      // of the tolerance
-constexpr double kLeastTolerance = 1e-14;   // rounding [m]
-constexpr double kTouchedGap = 1e-12;       // a surface this near is touched [m]
-constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces that continue each other
+constexpr double kShareOfPieces = 0.1;     // of the tolerance
+constexpr double kLeastTolerance = 1e-14;  // rounding [m]
+constexpr double kTouchedGap = 1e-12;      // a surface this near is touched [m]
+constexpr double kSameNormal = 1e-7;       // difference of normals of surfaces that continue each other
 
 // What can be stopped within the grip time is stopped at once: the error is a fraction of g t^2, of the tolerance. Paths that
 // end one after the other in no time make it longer, so that they come to an end.
-constexpr double kShareOfStops = 1e-3;  // of the tolerance
+constexpr double kShareOfStops = 1e-3;       // of the tolerance
 constexpr double kUsualAcceleration = 10.0;  // [m/s^2]
-constexpr double kShortestGrip = 3e-8;  // [s]
-constexpr double kShortestPiece = 3e-8; // [s]
-constexpr double kLongestGrip = 1e-3;  // [s]
-constexpr double kShortPath = 1e-3;    // [s]
-constexpr double kSameTime = 1e-9;     // [s]
-constexpr double kShortestMotion = 1e-5;  // of a body: a path may be as much longer [s]
+constexpr double kShortestGrip = 3e-8;       // [s]
+constexpr double kShortestPiece = 3e-8;      // [s]
+constexpr double kLongestGrip = 1e-3;        // [s]
+constexpr double kShortPath = 1e-3;          // [s]
+constexpr double kSameTime = 1e-9;           // [s]
+constexpr double kShortestMotion = 1e-5;     // of a body: a path may be as much longer [s]
 constexpr std::uint32_t kPatience = 50;
 
 // Doubles with every short path beyond patience.
@@ -47,19 +47,27 @@ double grown(double time, const Supports& supports)
 
 double gripTime(const WorldState& world, const Supports& supports)
 {
-  return grown(std::max(kShortestGrip, std::sqrt(kShareOfStops * world.scene.tolerance / kUsualAcceleration)), supports);
+  return grown(std::max(kShortestGrip, std::sqrt(kShareOfStops * world.scene.tolerance / kUsualAcceleration)),
+               supports);
 }
 
-Gap gapOver(const WorldState& world, const BallRecord& ball, const Supports::Surface& support, const BallState& state, double t)
+Gap gapOver(const WorldState& world, const BallRecord& ball, const Supports::Surface& support, const BallState& state,
+            double t)
 {
   const BodyRecord& body = world.bodies[support.body];
   return gapOver(body, body.shapes()[support.shape], ball, state, t);
 }
 
 // Where surfaces throw the ball at each other without end, small impacts are taken by all that it touches.
-double keepSpeed(const BallRecord& ball) { return ball.streak > kLongStreak ? kDeadSpeed : kKeepSpeed; }
+double keepSpeed(const BallRecord& ball)
+{
+  return ball.streak > kLongStreak ? kDeadSpeed : kKeepSpeed;
+}
 
-bool touches(const Gap& gap, double keep_speed) { return std::abs(gap.gap) <= kKeepGap && std::abs(gap.rate) <= keep_speed; }
+bool touches(const Gap& gap, double keep_speed)
+{
+  return std::abs(gap.gap) <= kKeepGap && std::abs(gap.rate) <= keep_speed;
+}
 
 // The ball is put on the surface and moves along it; false if it is off the surface or moves away or into it.
 bool projectOn(const Gap& gap, double keep_speed, BallState& ball)
@@ -75,7 +83,8 @@ using Normals = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kMostSupports, 3>;
 using GapsAndRates = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMostSupports, 2>;
 
 // Gaps and rates of all that the ball touches; false if it is on all of them.
-bool offSurfaces(const WorldState& world, const BallRecord& ball, const BallState& state, double t, Normals& normals, GapsAndRates& off)
+bool offSurfaces(const WorldState& world, const BallRecord& ball, const BallState& state, double t, Normals& normals,
+                 GapsAndRates& off)
 {
   const double tolerance = touchTolerance(state.p_WB, ball.params().radius);
   normals.resize(ball.supports.count(), 3);
@@ -121,7 +130,8 @@ void projectOnAll(const WorldState& world, const BallRecord& ball, BallState& st
   for (int round = 0; round < kProjections; ++round)
   {
     if (!offSurfaces(world, ball, state, t, normals, off)) return;
-    for (std::size_t i = 0; i < ball.supports.count(); ++i) pushOut(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball), state);
+    for (std::size_t i = 0; i < ball.supports.count(); ++i)
+      pushOut(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball), state);
   }
 }
 
@@ -139,7 +149,8 @@ bool onFlat(const BodyRecord& body, const Shape& shape, const BallState& state, 
 }
 
 // A face of another shape, flush with what the ball lies on: its normal is the same, and the ball touches it, too.
-bool flushFace(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, const Vector3d& n_W, double t)
+bool flushFace(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state,
+               const Vector3d& n_W, double t)
 {
   if (!onFlat(body, shape, state, t)) return false;
   const Gap gap = gapOver(body, shape, ball, state, t);
@@ -171,7 +182,8 @@ void passToFlushFaces(const WorldState& world, BallRecord& ball, const BallState
 }
 
 // What carries the ball already has this normal.
-bool supportedAlong(const WorldState& world, const BallRecord& ball, const BallState& state, const Vector3d& n_W, double t)
+bool supportedAlong(const WorldState& world, const BallRecord& ball, const BallState& state, const Vector3d& n_W,
+                    double t)
 {
   for (std::size_t i = 0; i < ball.supports.count(); ++i)
     if ((gapOver(world, ball, ball.supports[i], state, t).n_W - n_W).norm() < kSameNormal) return true;
@@ -259,8 +271,10 @@ void moveOnPiece(const WorldState& world, BallRecord& ball, const HeldBall& held
   const bool moving = onMovingBody(world, ball.supports) && window_end > t;
   const double tolerance = std::max(kShareOfPieces * world.scene.tolerance, kLeastTolerance);
   ball.path.further.make().spin.make().next_piece = next_piece;
-  layHeldPiece(held, decision, motion, t, moving ? std::max(window_end - t, kShortestMotion) : kNever, tolerance, grown(kShortestPiece, ball.supports), ball.path);
-  if (moving && ball.path.end >= window_end - kSameTime) ball.path.end = window_end + kShortestMotion;  // see moveSteadily()
+  layHeldPiece(held, decision, motion, t, moving ? std::max(window_end - t, kShortestMotion) : kNever, tolerance,
+               grown(kShortestPiece, ball.supports), ball.path);
+  if (moving && ball.path.end >= window_end - kSameTime)
+    ball.path.end = window_end + kShortestMotion;  // see moveSteadily()
   ball.path.boundAcceleration();
 }
 
@@ -297,7 +311,10 @@ void dropUnloaded(BallRecord& ball, HeldBall& held, Decision& decision, const Ba
   }
 }
 
-Vector3d cleaned(const Vector3d& a, double scale) { return a.norm() < kRoundedFraction * scale ? Vector3d(Vector3d::Zero()) : a; }
+Vector3d cleaned(const Vector3d& a, double scale)
+{
+  return a.norm() < kRoundedFraction * scale ? Vector3d(Vector3d::Zero()) : a;
+}
 
 // What ends straight on planes has a closed form, else what can be stopped within the grip time is. Where Coulomb's law has no
 // answer, friction has jammed the ball: all slip ends at once.
@@ -339,7 +356,8 @@ void planFlight(const WorldState& world, BallRecord& ball, const BallState& stat
   if (world.flies_in_steps) return flyStep(ball, state, t, world.scene.dt);
   // A piece that a contact has cut was long enough: a longer one might have to be tried twice.
   Segment& path = ball.path;
-  if (path.degree > 2 && t < path.end) path.further->next_piece = std::min(path.further->next_piece, path.end - path.start);
+  if (path.degree > 2 && t < path.end)
+    path.further->next_piece = std::min(path.further->next_piece, path.end - path.start);
   fly(state, t, ball.model(), world.scene.tolerance, path);
 }
 
@@ -391,7 +409,8 @@ Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball,
   HeldBall held = heldBall(world, ball, state.p_WB, t);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < held.count; ++i)
-    if (touches(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball))) held.surface[kept++] = held.surface[i];
+    if (touches(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball)))
+      held.surface[kept++] = held.surface[i];
   held.count = kept;
   return decide(held, motionOf(state, held.radius), t, 0.0).motion.a;
 }

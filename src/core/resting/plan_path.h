@@ -27,7 +27,7 @@ inline bool bouncingEnds(double rate, double press, double touch_tolerance)
 double timeOfRemainingBounces(double rate, double press, double restitution);
 
 constexpr double kSurelyBounces = 1.0;  ///< leaving faster than this, no force ends the bouncing [m/s]
-constexpr double kKeepSpeed = 1e-6;  ///< a support is left by moving away faster than this [m/s]
+constexpr double kKeepSpeed = 1e-6;     ///< a support is left by moving away faster than this [m/s]
 
 /// Gap between a ball and a shape of a body at world time t.
 Gap gapOver(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, double t);
@@ -39,7 +39,10 @@ Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball,
 void addTouched(const WorldState& world, BallRecord& ball, const BallState& state, double t);
 
 /// Faces this far apart are one plane [m].
-inline double flushTolerance(const Vector3d& p_WB, double radius) { return 1e-11 + 32.0 * touchTolerance(p_WB, radius); }
+inline double flushTolerance(const Vector3d& p_WB, double radius)
+{
+  return 1e-11 + 32.0 * touchTolerance(p_WB, radius);
+}
 
 /// Plans the path from `state` at time t: drops supports that let go or were left, projects what remains of the velocity
 /// into them, and lays a path: in the air; in closed form on flat faces (sliding straight to the end of slip, rolling, lying

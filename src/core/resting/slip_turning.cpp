@@ -60,8 +60,8 @@ Eigen::Matrix<double, 1, 6> SlipTurning::ratesAt(int node, const BallMotion& bal
   return rates.transpose();
 }
 
-void SlipTurning::addAngle(int node, const ContactProblem& problem, const Eigen::Matrix<double, 6, 1>& rates, std::size_t support,
-                           bool of_roll, double size)
+void SlipTurning::addAngle(int node, const ContactProblem& problem, const Eigen::Matrix<double, 6, 1>& rates,
+                           std::size_t support, bool of_roll, double size)
 {
   if (count_ == kMost) return;
   ContactProblem turned = problem;
@@ -92,10 +92,12 @@ void SlipTurning::correct(const Speeds& missed, Rates& rates) const
     for (int column = 0; column < all; ++column)
     {
       const int j = column / each;
-      matrix(row, column) -= h_ * gaussPoints().integral(i, j) * angle.of_speeds.dot(angles_[j][column % each].to_rates);
+      matrix(row, column) -=
+          h_ * gaussPoints().integral(i, j) * angle.of_speeds.dot(angles_[j][column % each].to_rates);
     }
   }
   turns = matrix.partialPivLu().solve(turns).eval();
-  for (int row = 0; row < all; ++row) rates.row(row / each) += turns[row] * angles_[row / each][row % each].to_rates.transpose();
+  for (int row = 0; row < all; ++row)
+    rates.row(row / each) += turns[row] * angles_[row / each][row % each].to_rates.transpose();
 }
 }  // namespace ping_pong

@@ -24,7 +24,7 @@ public:
   /// @param decision  at the start t of the piece: its modes hold all along
   /// @param h         length of the piece [s]
   SlipTurning(const HeldBall& held, const Decision& decision, double t, double h)
-    : held_(held), decision_(decision), t_(t), h_(h)
+      : held_(held), decision_(decision), t_(t), h_(h)
   {
   }
 
@@ -44,8 +44,8 @@ private:
     Eigen::Matrix<double, 6, 1> of_speeds, to_rates;
   };
 
-  void addAngle(int node, const ContactProblem& problem, const Eigen::Matrix<double, 6, 1>& rates, std::size_t support, bool of_roll,
-                double size);
+  void addAngle(int node, const ContactProblem& problem, const Eigen::Matrix<double, 6, 1>& rates, std::size_t support,
+                bool of_roll, double size);
 
   const HeldBall& held_;
   const Decision& decision_;

@@ -60,8 +60,7 @@ SupportPoint onMoving(const BodyFrame& frame, const Proximity& near, const BallM
 SupportPoint supportPoint(const SupportSurface& surface, const BallMotion& ball, double radius, double t)
 {
   if (surface.law->friction > 0.0) count(Law::Slip);
-  if (surface.still)
-    return onStill(proximity(*surface.shape, surface.feature, ball.p), ball, radius);
+  if (surface.still) return onStill(proximity(*surface.shape, surface.feature, ball.p), ball, radius);
   const BodyFrame frame = frameAt(*surface.motion, t - surface.motion->start);
   const Vector3d p_BQ = frame.R_WB.transpose() * (ball.p - frame.p_WB);
   return onMoving(frame, proximity(*surface.shape, surface.feature, p_BQ), ball, radius);

@@ -57,7 +57,10 @@ struct SupportPoint
 /// @param t  world time [s]
 SupportPoint supportPoint(const SupportSurface& surface, const BallMotion& ball, double radius, double t);
 
-inline Vector3d tangentialTo(const Vector3d& n, const Vector3d& x) { return x - n.dot(x) * n; }
+inline Vector3d tangentialTo(const Vector3d& n, const Vector3d& x)
+{
+  return x - n.dot(x) * n;
+}
 
 /// Rates of slip, roll and spin under this acceleration [m/s^2].
 inline Vector3d slipRate(const SupportPoint& at, const BallAcceleration& motion)

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "scene/overlap_check.h"
-#include "ping_pong_sim/room.h"
 #include "base/random.h"
+#include "ping_pong_sim/room.h"
+#include "scene/overlap_check.h"
 
 namespace ping_pong
 {

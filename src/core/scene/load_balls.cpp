@@ -1,16 +1,16 @@
 #include "scene/load_balls.h"
 
 #include "scene/ball_patterns.h"
-#include "scene/materials.h"
 #include "scene/load_bodies.h"
 #include "scene/load_colors.h"
+#include "scene/materials.h"
 
 namespace ping_pong
 {
 namespace
 {
-const std::vector<std::string> kSingleKeys = {"position", "velocity", "spin", "radius", "mass", "inertia",
-                                              "color", "material"};
+const std::vector<std::string> kSingleKeys = {"position", "velocity", "spin",  "radius",
+                                              "mass",     "inertia",  "color", "material"};
 
 /// I / (m r^2)
 double readInertia(const Field& field)
@@ -104,8 +104,8 @@ void readBox(const Map& map, BallGroup& group)
 
 BallGroup readRandom(const Field& field, Scene& scene)
 {
-  const Map map(field, {"count", "min", "max", "in", "seed", "speed", "spin", "radius", "mass", "inertia",
-                        "color", "material"});
+  const Map map(
+      field, {"count", "min", "max", "in", "seed", "speed", "spin", "radius", "mass", "inertia", "color", "material"});
   const Field& count = map.at("count", "the number of balls");
   BallGroup group(count);
   group.random = true;

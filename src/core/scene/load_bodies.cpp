@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "scene/materials.h"
 #include "ping_pong_sim/room.h"
 #include "ping_pong_sim/scene_loader.h"
+#include "scene/materials.h"
 
 namespace ping_pong
 {
@@ -45,7 +45,8 @@ std::string readName(const Field& field, const std::vector<Body>& earlier)
 {
   const std::string name = field.text();
   if (!isFrameName(name)) field.fail("a frame name of letters, digits and _ that starts with a letter");
-  if (isReservedFrame(name)) field.fail("a name other than world, newest_ball and ball_N, which the simulator uses itself");
+  if (isReservedFrame(name))
+    field.fail("a name other than world, newest_ball and ball_N, which the simulator uses itself");
   for (const Body& body : earlier)
     if (body.name == name) field.fail("a name that no other body has");
   return name;
@@ -83,7 +84,8 @@ Vector3d readStart(const Field& field, BodyKind kind, double limit, const std::s
 {
   if (kind != BodyKind::Kinematic) field.fail("no motion unless the kind is kinematic");
   const Vector3d start = field.vector();
-  if (start.norm() > limit) field.fail("at most " + numberText(limit) + " " + unit + ", what the limits of the body allow");
+  if (start.norm() > limit)
+    field.fail("at most " + numberText(limit) + " " + unit + ", what the limits of the body allow");
   return start;
 }
 
@@ -134,7 +136,8 @@ Body readBody(const Field& field, double growth, Scene& scene)
   if (limits != nullptr && body.kind != BodyKind::Kinematic) limits->fail("no limits unless the kind is kinematic");
   if (limits != nullptr) body.limits = readLimits(*limits);
   if (const Field* f = map.find("velocity")) body.twist.v = readStart(*f, body.kind, body.limits.speed, "m/s");
-  if (const Field* f = map.find("angular_velocity")) body.twist.w = readStart(*f, body.kind, body.limits.angular_speed, "rad/s");
+  if (const Field* f = map.find("angular_velocity"))
+    body.twist.w = readStart(*f, body.kind, body.limits.angular_speed, "rad/s");
   if (const Field* room = map.find("room"))
   {
     if (const Field* f = map.find("urdf")) f->failWith("beside room", "either a urdf or a room");

@@ -72,11 +72,13 @@ void OverlapFinder::findBodies(const Vector3d& p_WB, double radius, std::optiona
 
 void OverlapFinder::findBalls(const Vector3d& p_WB, double radius, std::optional<Overlap>& deepest) const
 {
-  anyNear(p_WB, [&](std::size_t i) {
-    const double depth = radius + balls_[i].radius - (p_WB - balls_[i].p_WB).norm();
-    if (isDeeper(depth, deepest)) deepest = Overlap{"ball_" + std::to_string(i), depth};
-    return false;
-  });
+  anyNear(p_WB,
+          [&](std::size_t i)
+          {
+            const double depth = radius + balls_[i].radius - (p_WB - balls_[i].p_WB).norm();
+            if (isDeeper(depth, deepest)) deepest = Overlap{"ball_" + std::to_string(i), depth};
+            return false;
+          });
 }
 
 std::optional<Overlap> OverlapFinder::find(const Vector3d& p_WB, double radius) const
@@ -89,9 +91,8 @@ std::optional<Overlap> OverlapFinder::find(const Vector3d& p_WB, double radius) 
 
 bool OverlapFinder::free(const Vector3d& p_WB, double radius) const
 {
-  const bool hit = anyNear(p_WB, [&](std::size_t i) {
-    return isOverlap(radius + balls_[i].radius - (p_WB - balls_[i].p_WB).norm());
-  });
+  const bool hit = anyNear(
+      p_WB, [&](std::size_t i) { return isOverlap(radius + balls_[i].radius - (p_WB - balls_[i].p_WB).norm()); });
   if (hit) return false;
   std::optional<Overlap> with_body;
   findBodies(p_WB, radius, with_body);

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "scene/materials.h"
 #include "scene/load_balls.h"
 #include "scene/load_bodies.h"
 #include "scene/load_forces.h"
 #include "scene/load_surfaces.h"
+#include "scene/materials.h"
 #include "scene/yaml_reader.h"
 
 namespace ping_pong
@@ -31,8 +31,8 @@ Method readMethod(const Field& field)
 
 Scene loadScene(const std::string& path, const LoadOptions& options)
 {
-  const Map map(readYaml(path), {"name", "forces", "floor", "bodies", "balls", "surfaces", "method", "dt",
-                                  "tolerance", "threads"});
+  const Map map(readYaml(path),
+                {"name", "forces", "floor", "bodies", "balls", "surfaces", "method", "dt", "tolerance", "threads"});
   Scene scene;
   scene.path = path;
   scene.name = std::filesystem::path(path).stem().string();

@@ -5,8 +5,8 @@
 #include <exception>
 #include <stdexcept>
 
-#include "scene/materials.h"
 #include "ping_pong_sim/scene_loader.h"
+#include "scene/materials.h"
 #include "scene/text_input.h"
 #include "scene/urdf_check.h"
 

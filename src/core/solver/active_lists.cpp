@@ -31,7 +31,8 @@ void updateShare(const Pile& pile, PileShare& share)
 void updateActive(WorldWithSolver& world)
 {
   const Pile& pile = world.pile;
-  const bool any = std::any_of(pile.shares.begin(), pile.shares.end(), [](const PileShare& share) { return share.active_void; });
+  const bool any =
+      std::any_of(pile.shares.begin(), pile.shares.end(), [](const PileShare& share) { return share.active_void; });
   if (any) eachShare(world, [&pile](PileShare& share) { updateShare(pile, share); });
 }
 

@@ -12,13 +12,13 @@ namespace ping_pong
 /// Links in touch, as the solver needs them: four pairs of balls, or four balls with bodies.
 struct alignas(64) TouchBatch
 {
-  LaneVectors n{};               ///< unit normals, to the first ball
-  LaneVectors slip{};            ///< of the touching points, before the contacts [m/s]
-  LaneVectors tangent{};         ///< impulses of friction [N s]
-  Lanes normal{};                ///< impulses along n, >= 0 [N s]
-  Lanes target{};                ///< least changes of the velocities along n of the first relative to the second [m/s]
-  Lanes normal_mass{}, slip_mass{};  ///< impulses by changes of the relative velocities [kg]
-  Lanes friction{};              ///< coefficients
+  LaneVectors n{};        ///< unit normals, to the first ball
+  LaneVectors slip{};     ///< of the touching points, before the contacts [m/s]
+  LaneVectors tangent{};  ///< impulses of friction [N s]
+  Lanes normal{};         ///< impulses along n, >= 0 [N s]
+  Lanes target{};         ///< least changes of the velocities along n of the first relative to the second [m/s]
+  Lanes normal_mass{}, slip_mass{};        ///< impulses by changes of the relative velocities [kg]
+  Lanes friction{};                        ///< coefficients
   std::array<std::uint32_t, kLanes> a, b;  ///< slots of the balls; in a lane without a touch both are the same
 
   static constexpr std::uint32_t kBody = ~0u;  ///< the second one of a ball with a body
@@ -36,8 +36,10 @@ static_assert(sizeof(TouchBatch) == 256, "four lines of the cache");
 /// Two balls in touch, as they are found.
 struct FoundPair
 {
-  Lanes way;   ///< from the second one to the first at the end of the step [m], and its square less that of their reach [m^2]
-  Lanes u;     ///< velocity of the first relative to the second [m/s], and as above at the start of the step, at most 0 [m^2]
+  Lanes
+      way;  ///< from the second one to the first at the end of the step [m], and its square less that of their reach [m^2]
+  Lanes
+      u;  ///< velocity of the first relative to the second [m/s], and as above at the start of the step, at most 0 [m^2]
   Lanes push;  ///< impulse of friction that it begins with, and along the normal [N s]
 };
 
@@ -66,7 +68,10 @@ private:
   static constexpr std::size_t kMost = 8;
   static constexpr std::uint64_t kFull = ~std::uint64_t{0};
 
-  static std::uint64_t bit(std::uint32_t ball) { return ball == TouchBatch::kBody ? 0 : std::uint64_t{1} << (ball % 64); }
+  static std::uint64_t bit(std::uint32_t ball)
+  {
+    return ball == TouchBatch::kBody ? 0 : std::uint64_t{1} << (ball % 64);
+  }
   std::size_t open(std::vector<TouchBatch>& batches, std::uint32_t ball)
   {
     std::size_t k = oldest_++ % kMost;  // stays as it is, unless another one is full
@@ -78,8 +83,8 @@ private:
     return k;
   }
 
-  std::array<std::uint64_t, kMost> balls_;       ///< a bit for each, which it may share with others
-  std::array<std::uint32_t, kMost> next_{};      ///< place
+  std::array<std::uint64_t, kMost> balls_;   ///< a bit for each, which it may share with others
+  std::array<std::uint32_t, kMost> next_{};  ///< place
   std::size_t oldest_ = 0;
 };
 }  // namespace ping_pong

@@ -17,8 +17,8 @@ namespace
 {
 using Eigen::Vector3f;
 
-constexpr double kWakingForce = 0.3;    // change of a force on a sleeping ball that wakes it up: so much of its weight,
-constexpr double kWakingPart = 0.5;     // and so much of the force; deep in a pile forces sway by more than a weight
+constexpr double kWakingForce = 0.3;  // change of a force on a sleeping ball that wakes it up: so much of its weight,
+constexpr double kWakingPart = 0.5;   // and so much of the force; deep in a pile forces sway by more than a weight
 
 // In free flight the forces act for half of the step before the contacts and for half after them; on a ball that something
 // carries, for all of it before them. Whoever is caught owes the second half to the next step.

@@ -10,16 +10,23 @@ namespace
 {
 using Eigen::Vector3f;
 
-constexpr double kCaught = 1.0;         // part of the way in a step by which a contact with a third ball may bring two together
-constexpr double kSqueezed = 5e-4;      // a ball that is deeper in a body has no room [m]
-constexpr std::size_t kMoreFound = 256; // places at a time; what an earlier step has left there is overwritten
-constexpr double kSamePlace = 1e-12;    // two balls nearer than this have no direction [m]
-constexpr double kForgets = 2e-3;       // deeper than this the last impulses are no guide [m]
+constexpr double kCaught =
+    1.0;  // part of the way in a step by which a contact with a third ball may bring two together
+constexpr double kSqueezed = 5e-4;       // a ball that is deeper in a body has no room [m]
+constexpr std::size_t kMoreFound = 256;  // places at a time; what an earlier step has left there is overwritten
+constexpr double kSamePlace = 1e-12;     // two balls nearer than this have no direction [m]
+constexpr double kForgets = 2e-3;        // deeper than this the last impulses are no guide [m]
 
 // How near a pair has to come to be in touch, on its own: balls that others push may come nearer yet.
-double reachOf(const Pile& pile) { return 4.0 * pile.least_impact * pile.h + 1e-6; }
+double reachOf(const Pile& pile)
+{
+  return 4.0 * pile.least_impact * pile.h + 1e-6;
+}
 
-bool hitInThisStep(const Pile& pile, std::size_t i) { return pile.movers[i].stamp >= pile.step_mark; }
+bool hitInThisStep(const Pile& pile, std::size_t i)
+{
+  return pile.movers[i].stamp >= pile.step_mark;
+}
 
 // One of them has fallen asleep, or none does any more: see Pile::held.
 void updateHeld(Pile& pile, std::uint32_t l, bool one_sleeps)
@@ -54,7 +61,8 @@ void gatherPair(Pile& pile, PileShare& share, std::uint32_t l)
   if (square > most * most) return apart(pile, share, l, one_sleeps);
   if (square < kSamePlace * kSamePlace) d_end = kSamePlace * Vector3d::UnitZ();
   const bool hit = hitInThisStep(pile, link.a) || hitInThisStep(pile, link.b);
-  const double room = hit ? 0.0 : std::min(d.squaredNorm() - reach * reach, 0.0);  // what there was at the start does not count
+  const double room =
+      hit ? 0.0 : std::min(d.squaredNorm() - reach * reach, 0.0);  // what there was at the start does not count
   const bool forgets = room < -kForgets * (2.0 * reach - kForgets);
   const std::uint32_t place = share.open_pairs.place(share.pair_batches, link.a, link.b);
   if (share.found.size() <= place)
@@ -104,12 +112,14 @@ double roomAtStart(const WorldWithSolver& world, const BodyLink& link)
   const Vector3d& p = pile.movers[link.ball].p;
   const Proximity near = nearestOf(world, link, p, 0.0);
   if (!near.flat())
-    if (const Seam seam = seamWith(world, link, near, p, 0.0); seam.there) return seam.surface.distance - pile.radius(link.ball);
+    if (const Seam seam = seamWith(world, link, near, p, 0.0); seam.there)
+      return seam.surface.distance - pile.radius(link.ball);
   return near.distance - pile.radius(link.ball);
 }
 
 // A touch of a ball, at its place at the end of the step, and what of a shape is nearest to it there.
-void addTouch(WorldWithSolver& world, PileShare& share, std::uint32_t l, const BodyLink& link, const Vector3d& end, const Proximity& near)
+void addTouch(WorldWithSolver& world, PileShare& share, std::uint32_t l, const BodyLink& link, const Vector3d& end,
+              const Proximity& near)
 {
   Pile& pile = world.pile;
   const std::uint32_t i = link.ball;
@@ -122,7 +132,8 @@ void addTouch(WorldWithSolver& world, PileShare& share, std::uint32_t l, const B
   pile.changes[i].p.head<3>() += (pushOut(overlap) * near.normal).cast<float>();
   const BallKind& kind = pile.kinds[mover.kind];
   const double middle = pile.start + 0.5 * pile.h - body.motion.start;
-  const Vector3d u = body.moving ? frameAt(body.motion, middle).pointVelocity(end - radius * near.normal) : Vector3d(Vector3d::Zero());
+  const Vector3d u =
+      body.moving ? frameAt(body.motion, middle).pointVelocity(end - radius * near.normal) : Vector3d(Vector3d::Zero());
   const std::uint32_t place = share.open_bodies.place(share.body_batches, i, TouchBatch::kBody);
   share.body_touches.push_back({u, l, place, i, material, body.moving});
   TouchBatch& batch = share.body_batches[place / kLanes];
@@ -130,7 +141,8 @@ void addTouch(WorldWithSolver& world, PileShare& share, std::uint32_t l, const B
   const Vector3d v = mover.v - u;
   const Vector3f n = near.normal.cast<float>();
   batch.n.set(lane, n);
-  batch.slip.set(lane, Vector3f((v - near.normal.dot(v) * near.normal).cast<float>() - pile.changes[i].before.head<3>().cross(n)));
+  batch.slip.set(
+      lane, Vector3f((v - near.normal.dot(v) * near.normal).cast<float>() - pile.changes[i].before.head<3>().cross(n)));
   const Lanes push = overlap > kForgets ? Lanes{} : link.push;
   batch.tangent.set(lane, Vector3f(push[0], push[1], push[2]));
   batch.normal[lane] = push[3];

@@ -8,12 +8,13 @@ namespace ping_pong
 namespace
 {
 constexpr int kMostSweeps = 12;
-constexpr int kMostOfBodies = 500;      // over touches with bodies alone, where one moves: between two that are tilted by 1 / 10 against
-                                        // each other an error falls by a hundredth in each
-constexpr double kGoodEnough = 0.03;    // change of a velocity that is not passed on, in least impacts,
-constexpr double kCreep = 6e-4;         // or less: a pile that creeps faster does not fall asleep [m/s]
+constexpr int kMostOfBodies =
+    500;  // over touches with bodies alone, where one moves: between two that are tilted by 1 / 10 against
+          // each other an error falls by a hundredth in each
+constexpr double kGoodEnough = 0.03;  // change of a velocity that is not passed on, in least impacts,
+constexpr double kCreep = 6e-4;       // or less: a pile that creeps faster does not fall asleep [m/s]
 const FoundPair kNoPair{{0.0f, 0.0f, 1.0f, 0.0f}, {}, {}};
-constexpr float kTiny = 1e-30f;         // where 0 would be divided by
+constexpr float kTiny = 1e-30f;  // where 0 would be divided by
 
 // The balls of a batch.
 struct FourBalls
@@ -32,21 +33,26 @@ struct FourBalls
 
 using Number = Eigen::Vector4f Change::*;
 
-Lanes of(const Change* ball, Number its) { return lanesAt((ball->*its).data()); }
+Lanes of(const Change* ball, Number its)
+{
+  return lanesAt((ball->*its).data());
+}
 
 // Of the first balls, and those of the second ones taken away or added.
 template <bool pairs>
 [[gnu::always_inline]] inline LaneVectors difference(const FourBalls& balls, Number its)
 {
   std::array<Lanes, kLanes> records;
-  for (std::size_t k = 0; k < kLanes; ++k) records[k] = pairs ? of(balls.a[k], its) - of(balls.b[k], its) : of(balls.a[k], its);
+  for (std::size_t k = 0; k < kLanes; ++k)
+    records[k] = pairs ? of(balls.a[k], its) - of(balls.b[k], its) : of(balls.a[k], its);
   return vectorsOf(records);
 }
 template <bool pairs>
 [[gnu::always_inline]] inline LaneVectors sum(const FourBalls& balls, Number its)
 {
   std::array<Lanes, kLanes> records;
-  for (std::size_t k = 0; k < kLanes; ++k) records[k] = pairs ? of(balls.a[k], its) + of(balls.b[k], its) : of(balls.a[k], its);
+  for (std::size_t k = 0; k < kLanes; ++k)
+    records[k] = pairs ? of(balls.a[k], its) + of(balls.b[k], its) : of(balls.a[k], its);
   return vectorsOf(records);
 }
 
@@ -69,7 +75,8 @@ template <class Action>
 
 // An impulse along n and one across act on the first balls and, where those are pairs, against the second ones.
 template <bool pairs>
-[[gnu::always_inline]] inline void act(const FourBalls& balls, const TouchBatch& batch, Lanes along, const LaneVectors& across)
+[[gnu::always_inline]] inline void act(const FourBalls& balls, const TouchBatch& batch, Lanes along,
+                                       const LaneVectors& across)
 {
   const auto impulse = recordsOf(along * batch.n + across), turn = recordsOf(cross(across, batch.n));
   eachLane(batch,
@@ -102,7 +109,8 @@ template <bool pairs>
   const Lanes closing = dot(batch.n, u), before = batch.normal;
   batch.normal = greater(before + batch.normal_mass * (batch.target - closing), Lanes{});
   const Lanes impulse = batch.normal - before;
-  if (!anyLane((impulse != Lanes{}) | (batch.normal != Lanes{}))) return LaneMask{};  // where nothing presses, nothing rubs
+  if (!anyLane((impulse != Lanes{}) | (batch.normal != Lanes{})))
+    return LaneMask{};  // where nothing presses, nothing rubs
   const LaneVectors rims = sum<pairs>(balls, &Change::rim);
   const LaneVectors across = slipImpulse(batch, batch.slip + u - closing * batch.n - cross(rims, batch.n));
   act<pairs>(balls, batch, impulse, across);
@@ -115,11 +123,12 @@ struct Sweep
 {
   std::uint32_t since;  // on the counter of the pile: changes that touches do not know
   std::uint32_t now;
-  float small;          // square of a change of a velocity that is not passed on [m^2/s^2]
+  float small;  // square of a change of a velocity that is not passed on [m^2/s^2]
 };
 
 // Without a branch for each lane: a processor cannot tell beforehand which of them change.
-void mark(std::vector<std::uint32_t>& swept, const std::array<std::uint32_t, kLanes>& slots, LaneMask changed, std::uint32_t now)
+void mark(std::vector<std::uint32_t>& swept, const std::array<std::uint32_t, kLanes>& slots, LaneMask changed,
+          std::uint32_t now)
 {
   for (std::size_t k = 0; k < kLanes; ++k)
   {
@@ -162,8 +171,8 @@ bool quiet(const Pile& pile, const PileShare& share, std::uint32_t since)
 {
   const std::size_t s = static_cast<std::size_t>(&share - pile.shares.data());
   if (s >= pile.slabs) return false;
-  return share.changed < since && pile.shares.back().changed < since && (s == 0 || pile.shares[s - 1].changed < since) &&
-         (s + 1 == pile.slabs || pile.shares[s + 1].changed < since);
+  return share.changed < since && pile.shares.back().changed < since &&
+         (s == 0 || pile.shares[s - 1].changed < since) && (s + 1 == pile.slabs || pile.shares[s + 1].changed < since);
 }
 
 // Distance of spheres that are this far apart or overlap, of the square of the distance of their centres less that of spheres
@@ -191,9 +200,8 @@ bool quiet(const Pile& pile, const PileShare& share, std::uint32_t since)
 void putKinds(const WorldWithSolver& world, TouchBatch& batch, Lanes& reach)
 {
   const Pile& pile = world.pile;
-  const auto friction = [&](const BallParams& a, const BallParams& b) {
-    return static_cast<float>(world.scene.surfaces.at(a.material, b.material).friction);
-  };
+  const auto friction = [&](const BallParams& a, const BallParams& b)
+  { return static_cast<float>(world.scene.surfaces.at(a.material, b.material).friction); };
   const BallParams& first = pile.kinds.front().params;
   reach = allLanes(static_cast<float>(2.0 * first.radius));
   batch.friction = allLanes(friction(first, first));
@@ -255,7 +263,9 @@ void iterateBodies(WorldWithSolver& world, std::uint32_t before, float small)
                 for (TouchBatch& batch : share.body_batches) sweep<false>(pile, batch, {before, now, small}, changed);
                 if (anyLane(changed)) share.changed = now;
               });
-    if (std::none_of(pile.shares.begin(), pile.shares.end(), [&](const PileShare& share) { return share.changed == now; })) break;
+    if (std::none_of(pile.shares.begin(), pile.shares.end(),
+                     [&](const PileShare& share) { return share.changed == now; }))
+      break;
     before = now;
   }
 }
@@ -264,7 +274,8 @@ void iterateBodies(WorldWithSolver& world, std::uint32_t before, float small)
 void startTouches(WorldWithSolver& world, PileShare& share)
 {
   for (TouchBatch& batch : share.body_batches) begin<false>(FourBalls(world.pile.changes, batch, false), batch);
-  for (std::size_t k = 0; k < share.pair_batches.size(); ++k) startPairs(world, share.pair_batches[k], &share.found[kLanes * k]);
+  for (std::size_t k = 0; k < share.pair_batches.size(); ++k)
+    startPairs(world, share.pair_batches[k], &share.found[kLanes * k]);
 }
 
 // Every touch once; then those of balls that changed, forwards and backwards in turn, until nothing changes any more.
@@ -281,7 +292,9 @@ void iterate(WorldWithSolver& world)
             {
               if (!quiet(pile, share, before)) sweep(pile, share, {before, now, small}, k % 2 == 0);
             });
-    if (std::none_of(pile.shares.begin(), pile.shares.end(), [&](const PileShare& share) { return share.changed == now; })) break;
+    if (std::none_of(pile.shares.begin(), pile.shares.end(),
+                     [&](const PileShare& share) { return share.changed == now; }))
+      break;
     before = now;
   }
   if (!pile.moving.empty()) iterateBodies(world, before, small);

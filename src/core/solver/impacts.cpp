@@ -4,16 +4,16 @@
 #include <cmath>
 
 #include "base/law_counter.h"
-#include "solver/time_of_impact.h"
+#include "ping_pong_sim/resolve.h"
 #include "solver/slabs.h"
 #include "solver/squeezed_in_solver.h"
-#include "ping_pong_sim/resolve.h"
+#include "solver/time_of_impact.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr int kMostImpacts = 15;     // of one ball in one step; what is left is up to the contacts
+constexpr int kMostImpacts = 15;  // of one ball in one step; what is left is up to the contacts
 
 // From t on the ball flies with this state: its path is drawn back to the start of the step.
 void fork(Pile& pile, std::size_t i, const BallState& state, double t)
@@ -125,7 +125,10 @@ bool later(const ImpactAhead& p, const ImpactAhead& q)
   return p.time != q.time ? p.time > q.time : p.link > q.link;
 }
 
-bool tired(const Pile& pile, std::uint32_t i) { return pile.movers[i].impacts >= kMostImpacts; }
+bool tired(const Pile& pile, std::uint32_t i)
+{
+  return pile.movers[i].impacts >= kMostImpacts;
+}
 
 double nextOfPair(const Pile& pile, const PairLink& link)
 {
@@ -146,7 +149,8 @@ void lookAtShare(const WorldWithSolver& world, PileShare& share)
 {
   const Pile& pile = world.pile;
   share.ahead.clear();
-  const auto note = [&](double t, std::uint32_t code) {
+  const auto note = [&](double t, std::uint32_t code)
+  {
     if (t <= pile.h) share.ahead.push_back({t, code, pile.counter});
   };
   for (const std::uint32_t l : share.active_bodies) note(nextWithBody(world, pile.bodies[l]), 3 * l + 1);
@@ -159,8 +163,10 @@ void lookAtAll(WorldWithSolver& world)
   eachShare(world, [&world](PileShare& share) { lookAtShare(world, share); });
   pile.ahead.clear();
   for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
-    if (const double t = nextWithBody(world, pile.moving[l]); t <= pile.h) pile.ahead.push_back({t, 3 * l + 2, pile.counter});
-  for (const PileShare& share : pile.shares) pile.ahead.insert(pile.ahead.end(), share.ahead.begin(), share.ahead.end());
+    if (const double t = nextWithBody(world, pile.moving[l]); t <= pile.h)
+      pile.ahead.push_back({t, 3 * l + 2, pile.counter});
+  for (const PileShare& share : pile.shares)
+    pile.ahead.insert(pile.ahead.end(), share.ahead.begin(), share.ahead.end());
   std::make_heap(pile.ahead.begin(), pile.ahead.end(), later);
 }
 
@@ -168,7 +174,8 @@ void lookAtAll(WorldWithSolver& world)
 void lookAgain(WorldWithSolver& world, std::uint32_t i)
 {
   Pile& pile = world.pile;
-  const auto note = [&pile](double t, std::uint32_t code) {
+  const auto note = [&pile](double t, std::uint32_t code)
+  {
     if (!(t <= pile.h)) return;
     pile.ahead.push_back({t, code, pile.counter});
     std::push_heap(pile.ahead.begin(), pile.ahead.end(), later);
@@ -177,10 +184,12 @@ void lookAgain(WorldWithSolver& world, std::uint32_t i)
     if (pile.moving[l].ball == i) note(nextWithBody(world, pile.moving[l]), 3 * l + 2);
   for (std::uint32_t l = pile.first_body[i]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
     note(nextWithBody(world, pile.bodies[l]), 3 * l + 1);
-  pile.anyLink(i, [&](std::uint32_t l) {
-    note(nextOfPair(pile, pile.pairs[l]), 3 * l);
-    return false;
-  });
+  pile.anyLink(i,
+               [&](std::uint32_t l)
+               {
+                 note(nextOfPair(pile, pile.pairs[l]), 3 * l);
+                 return false;
+               });
 }
 
 // Handles one impact; balls that it has thrown off their path are put into a and b, twice the same if it is but one.

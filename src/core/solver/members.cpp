@@ -92,7 +92,8 @@ namespace
 {
 void reserveShare(PileShare& share, std::size_t balls)
 {
-  for (std::vector<std::uint32_t>* list : {&share.balls, &share.awake, &share.leaving, &share.waking}) list->reserve(balls);
+  for (std::vector<std::uint32_t>* list : {&share.balls, &share.awake, &share.leaving, &share.waking})
+    list->reserve(balls);
   for (std::vector<std::uint32_t>* list : {&share.pairs, &share.active_pairs}) list->reserve(kPairs * balls);
   for (std::vector<std::uint32_t>* list : {&share.bodies, &share.active_bodies}) list->reserve(kBodies * balls);
   share.body_touches.reserve(kBodies * balls);
@@ -112,7 +113,8 @@ void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
   pile.pushes.reserve(kPairs * balls);
   pile.held.reserve(kPairs * balls);
   for (std::vector<PairLink>& found : pile.found) found.reserve(kMore + kPairs * balls / (Pile::kMostSlabs / 2));
-  for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving}) links->reserve(kBodies * balls + kMore);
+  for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving})
+    links->reserve(kBodies * balls + kMore);
   for (std::vector<std::uint32_t>* list : {&pile.old_slot, &pile.new_slot}) list->reserve(balls);
   pile.share_of.reserve(balls);
   for (PileShare& share : pile.shares) reserveShare(share, kMore + balls / (Pile::kMostSlabs / 2));
@@ -144,9 +146,8 @@ void dropFromPile(Pile& pile, std::uint32_t ball)
   wakeNear(pile, pile.movers[slot].p, pile.radius(slot));
   eachSlotList(pile, [slot](auto& list) { list.erase(list.begin() + slot); });
   detachKept(pile);
-  const auto forget = [](auto& links, const auto& its) {
-    links.erase(std::remove_if(links.begin(), links.end(), its), links.end());
-  };
+  const auto forget = [](auto& links, const auto& its)
+  { links.erase(std::remove_if(links.begin(), links.end(), its), links.end()); };
   forget(pile.old_kept, [slot](const KeptPair& kept) { return kept.a == slot || kept.b == slot; });
   forget(pile.bodies, [slot](const BodyLink& link) { return link.ball == slot; });
   for (KeptPair& kept : pile.old_kept) kept.a -= kept.a > slot, kept.b -= kept.b > slot;

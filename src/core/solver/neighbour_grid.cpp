@@ -12,9 +12,12 @@ namespace
 constexpr float kTouchSlack = 2e-4f;  // contacts are looked at that far before they touch [m]
 constexpr double kLargeBox = 1.5;     // in mean edges
 constexpr double kCellsPerBall = 2.0;
-constexpr double kSpread = 3.0;       // the grid covers so many standard deviations; balls outside are in its outer cells
+constexpr double kSpread = 3.0;  // the grid covers so many standard deviations; balls outside are in its outer cells
 
-float reachOf(const Pile& pile, std::size_t i) { return pile.margin + kTouchSlack + static_cast<float>(pile.radius(i)); }
+float reachOf(const Pile& pile, std::size_t i)
+{
+  return pile.margin + kTouchSlack + static_cast<float>(pile.radius(i));
+}
 
 void layOut(Pile& pile)
 {
@@ -84,7 +87,8 @@ void link(std::vector<PairLink>& pairs, const PileGrid::Entry& a, const PileGrid
 void linkRows(const PileGrid& grid, int begin, int end, std::vector<PairLink>& pairs)
 {
   const int nx = grid.count[0], ny = grid.count[1], nz = grid.count[2];
-  const auto row = [&](std::uint32_t from, int x0, int x1, int y, int z) {
+  const auto row = [&](std::uint32_t from, int x0, int x1, int y, int z)
+  {
     if (y < 0 || y >= ny || z >= nz) return;
     const std::size_t line = static_cast<std::size_t>(z * ny + y) * static_cast<std::size_t>(nx);
     const std::uint32_t begin = grid.start[line + static_cast<std::size_t>(std::max(x0, 0))];
@@ -128,10 +132,12 @@ void linkLarge(Pile& pile)
   for (std::size_t i = 0; i < large.size(); ++i)
   {
     for (std::size_t k = i + 1; k < large.size(); ++k) link(pile.pairs, large[i], large[k]);
-    eachCellNear(pile.grid, large[i], [&](std::size_t cell) {
-      for (std::uint32_t other = pile.grid.start[cell]; other < pile.grid.start[cell + 1]; ++other)
-        link(pile.pairs, large[i], pile.grid.entries[other]);
-    });
+    eachCellNear(pile.grid, large[i],
+                 [&](std::size_t cell)
+                 {
+                   for (std::uint32_t other = pile.grid.start[cell]; other < pile.grid.start[cell + 1]; ++other)
+                     link(pile.pairs, large[i], pile.grid.entries[other]);
+                 });
   }
 }
 }  // namespace
@@ -151,7 +157,8 @@ PileGrid::Entry entryOf(const Pile& pile, std::size_t i)
   PileGrid::Entry entry;
   entry.centre = (pile.home[i] - pile.grid.origin).cast<float>() + 0.5f * pile.sweep[i];
   // Far from the origin of the grid a float is coarse: the box grows by its rounding.
-  for (int axis = 0; axis < 3; ++axis) entry.half[axis] = halfEdge(pile, i, axis) + 1e-6f * std::abs(entry.centre[axis]);
+  for (int axis = 0; axis < 3; ++axis)
+    entry.half[axis] = halfEdge(pile, i, axis) + 1e-6f * std::abs(entry.centre[axis]);
   entry.round = 0.5f * pile.sweep[i].norm() + reachOf(pile, i) + 2e-6f * entry.centre.cwiseAbs().maxCoeff();
   entry.slot = static_cast<std::uint32_t>(i);
   return entry;

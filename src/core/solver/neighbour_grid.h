@@ -1,8 +1,8 @@
 // Balls by the boxes and spheres that they can sweep for a while, in the cells of a grid.
 #pragma once
 
-#include "solver/solver_state.h"
 #include "base/thread_pool.h"
+#include "solver/solver_state.h"
 
 namespace ping_pong
 {

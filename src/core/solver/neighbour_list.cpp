@@ -12,9 +12,9 @@ namespace
 {
 using Eigen::Vector3f;
 
-constexpr double kMargin = 0.08;      // that links cover around the way of a ball, in mean radii
-constexpr double kStepsAhead = 8.0;   // way that links cover, in steps of length h,
-constexpr double kRadiiAhead = 2.0;   // unless it is longer than this; one step at least
+constexpr double kMargin = 0.08;           // that links cover around the way of a ball, in mean radii
+constexpr double kStepsAhead = 8.0;        // way that links cover, in steps of length h,
+constexpr double kRadiiAhead = 2.0;        // unless it is longer than this; one step at least
 constexpr std::size_t kManyStrays = 1000;  // balls that may leave their boxes before all are linked anew,
 constexpr std::size_t kStrayPart = 8;      // and one in so many of them
 
@@ -31,7 +31,8 @@ bool covered(const Pile& pile, std::size_t i)
   const Vector3f& sweep = pile.sweep[i];
   const float round = 0.5f * sweep.norm() + pile.margin;
   return ((way - sweep.cwiseMax(0.0f)).array() <= pile.margin).all() &&
-         ((sweep.cwiseMin(0.0f) - way).array() <= pile.margin).all() && (way - 0.5f * sweep).squaredNorm() <= round * round;
+         ((sweep.cwiseMin(0.0f) - way).array() <= pile.margin).all() &&
+         (way - 0.5f * sweep).squaredNorm() <= round * round;
 }
 
 // A box around the way from home. After an impact in this step the way begins where it happened.
@@ -45,7 +46,8 @@ void coverWay(Pile& pile, std::size_t i)
   pile.home[i] = from;
   const double speed = mover.v.norm();
   const double reach = kRadiiAhead * pile.radius(i);
-  const double ahead = std::max(pile.h, std::min(kStepsAhead * pile.h, speed > 0.0 ? reach / speed : kStepsAhead * pile.h));
+  const double ahead =
+      std::max(pile.h, std::min(kStepsAhead * pile.h, speed > 0.0 ? reach / speed : kStepsAhead * pile.h));
   pile.sweep[i] = (ahead * (mover.v + (0.5 * ahead) * a)).cast<float>();
 }
 
@@ -105,12 +107,14 @@ void remember(Pile& pile)
   pile.pushes.assign(pile.pairs.size(), Lanes{});
   pile.held.assign(pile.pairs.size(), -1.0f);
   for (const KeptPair& old : pile.old_kept)
-    pile.anyLink(old.a, [&](std::uint32_t l) {
-      if (pile.pairs[l].a != old.a || pile.pairs[l].b != old.b) return false;
-      pile.pushes[l] = old.push;
-      pile.held[l] = old.held;
-      return true;
-    });
+    pile.anyLink(old.a,
+                 [&](std::uint32_t l)
+                 {
+                   if (pile.pairs[l].a != old.a || pile.pairs[l].b != old.b) return false;
+                   pile.pushes[l] = old.push;
+                   pile.held[l] = old.held;
+                   return true;
+                 });
   pile.old_kept.clear();
   for (const BodyLink& old : pile.old_bodies)
     for (std::uint32_t l = pile.first_body[old.ball]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
@@ -140,9 +144,12 @@ void stray(WorldWithSolver& world, std::uint32_t i)
   coverWay(pile, i);
   const PileGrid::Entry mine = entryOf(pile, i);
   const PileGrid& grid = pile.grid;
-  eachCellNear(grid, mine, [&](std::size_t cell) {
-    for (std::uint32_t e = grid.start[cell]; e < grid.start[cell + 1]; ++e) linkStray(pile, i, mine, grid.entries[e]);
-  });
+  eachCellNear(grid, mine,
+               [&](std::size_t cell)
+               {
+                 for (std::uint32_t e = grid.start[cell]; e < grid.start[cell + 1]; ++e)
+                   linkStray(pile, i, mine, grid.entries[e]);
+               });
   for (const PileGrid::Entry& other : grid.large) linkStray(pile, i, mine, other);
   for (const PileGrid::Entry& other : grid.strays) linkStray(pile, i, mine, other);
   pile.grid.strays.push_back(mine);
@@ -150,7 +157,8 @@ void stray(WorldWithSolver& world, std::uint32_t i)
   linkWithBodies(world, i);
   PileShare& share = pile.shares[pile.share_of[i]];
   for (std::size_t l = before; l < pile.bodies.size(); ++l)
-    for (std::vector<std::uint32_t>* list : {&share.bodies, &share.active_bodies}) list->push_back(static_cast<std::uint32_t>(l));
+    for (std::vector<std::uint32_t>* list : {&share.bodies, &share.active_bodies})
+      list->push_back(static_cast<std::uint32_t>(l));
 }
 
 bool manyStrays(const Pile& pile, std::size_t more)

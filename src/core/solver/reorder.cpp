@@ -14,7 +14,8 @@ constexpr std::size_t kScattered = 16;  // one in so many slots follows one of a
 bool scattered(const Pile& pile)
 {
   const std::size_t n = pile.movers.size();
-  if (pile.share_of.size() != n || pile.grid.cell.size() != n || pile.slabs == 1) return false;  // not known since the last links
+  if (pile.share_of.size() != n || pile.grid.cell.size() != n || pile.slabs == 1)
+    return false;  // not known since the last links
   std::size_t jumps = 0;
   for (std::size_t i = 1; i < n; ++i) jumps += pile.share_of[i] != pile.share_of[i - 1];
   return jumps > n / kScattered + 2 * pile.slabs;
@@ -26,7 +27,8 @@ void findOrder(Pile& pile)
   const auto placeOf = [&pile](std::uint32_t i) { return std::uint64_t{pile.share_of[i]} << 32 | pile.grid.cell[i]; };
   pile.old_slot.resize(pile.movers.size());
   std::iota(pile.old_slot.begin(), pile.old_slot.end(), 0u);
-  std::sort(pile.old_slot.begin(), pile.old_slot.end(), [&](std::uint32_t i, std::uint32_t k)
+  std::sort(pile.old_slot.begin(), pile.old_slot.end(),
+            [&](std::uint32_t i, std::uint32_t k)
             { return placeOf(i) != placeOf(k) ? placeOf(i) < placeOf(k) : i < k; });
   pile.new_slot.resize(pile.old_slot.size());
   for (std::uint32_t i = 0; i < pile.old_slot.size(); ++i) pile.new_slot[pile.old_slot[i]] = i;

@@ -7,10 +7,10 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::size_t kFewestBalls = 32;   // in a slab, about
-constexpr std::size_t kBinsInAWidth = 4;   // the least width of a slab, in bins of the histogram
+constexpr std::size_t kFewestBalls = 32;  // in a slab, about
+constexpr std::size_t kBinsInAWidth = 4;  // the least width of a slab, in bins of the histogram
 constexpr std::size_t kMostBins = 1024;
-constexpr double kSpread = 3.0;            // bins cover so many standard deviations; balls outside are in the outer ones
+constexpr double kSpread = 3.0;  // bins cover so many standard deviations; balls outside are in the outer ones
 
 double placeOf(const Pile& pile, std::size_t i, int axis)
 {
@@ -52,7 +52,8 @@ struct Histogram
 
   Histogram(const Pile& pile, const Spread& spread, int axis)
   {
-    const double half = kSpread * spread.deviation[axis], bin = static_cast<double>(pile.grid.large_edge) / kBinsInAWidth;
+    const double half = kSpread * spread.deviation[axis],
+                 bin = static_cast<double>(pile.grid.large_edge) / kBinsInAWidth;
     origin = spread.mean[axis] - half;
     bins_per_metre = 1.0 / std::max(bin, 2.0 * half / static_cast<double>(kMostBins));
     bins = static_cast<std::size_t>(2.0 * half * bins_per_metre) + 1;
@@ -88,8 +89,8 @@ std::array<std::uint8_t, kMostBins + 1> slabsOf(const Histogram& histogram, std:
 
 void clearShare(PileShare& share)
 {
-  for (std::vector<std::uint32_t>* list : {&share.balls, &share.awake, &share.pairs, &share.bodies, &share.active_pairs, &share.active_bodies,
-                                           &share.leaving, &share.waking})
+  for (std::vector<std::uint32_t>* list : {&share.balls, &share.awake, &share.pairs, &share.bodies, &share.active_pairs,
+                                           &share.active_bodies, &share.leaving, &share.waking})
     list->clear();
   share.body_touches.clear();
   share.pair_batches.clear();
@@ -119,6 +120,7 @@ void cutPile(Pile& pile, const Vector3d& up)
 void shareLinks(Pile& pile)
 {
   for (std::uint32_t l = 0; l < pile.pairs.size(); ++l) shareOf(pile, pile.pairs[l]).pairs.push_back(l);
-  for (std::uint32_t l = 0; l < pile.bodies.size(); ++l) pile.shares[pile.share_of[pile.bodies[l].ball]].bodies.push_back(l);
+  for (std::uint32_t l = 0; l < pile.bodies.size(); ++l)
+    pile.shares[pile.share_of[pile.bodies[l].ball]].bodies.push_back(l);
 }
 }  // namespace ping_pong

@@ -5,10 +5,10 @@ namespace ping_pong
 {
 namespace
 {
-constexpr float kStillFor = 0.25f;      // a ball that has not left its place for so long may fall asleep [s],
-constexpr double kStillSpeed = 5e-3;    // and neither moves nor spins at its rim faster than this [m/s]
-constexpr std::uint32_t kEvery = 16;    // steps
-constexpr double kNear = 1e-3;          // [m]
+constexpr float kStillFor = 0.25f;    // a ball that has not left its place for so long may fall asleep [s],
+constexpr double kStillSpeed = 5e-3;  // and neither moves nor spins at its rim faster than this [m/s]
+constexpr std::uint32_t kEvery = 16;  // steps
+constexpr double kNear = 1e-3;        // [m]
 
 bool still(const Pile& pile, std::size_t i)
 {

@@ -16,13 +16,13 @@ struct alignas(64) Mover
   double clock = 0.0;             ///< of its last impact, from the start of the step [s]
   std::uint32_t stamp = 0;        ///< when it last had an impact, on the counter of the pile
   std::uint16_t kind = 0;
-  std::uint8_t impacts = 0;       ///< in this step
+  std::uint8_t impacts = 0;  ///< in this step
   bool asleep : 1;
-  bool loaded : 1;                ///< something carries it: forces act with the contacts, not before them
-  bool was_loaded : 1;            ///< at the start of the step
-  bool half_owed : 1;             ///< forces of the last half step are still to act
-  bool kept_awake : 1;            ///< by a neighbour that is not still
-  bool calm : 1;                  ///< carried, and slower than half the least impact: two such balls have none
+  bool loaded : 1;      ///< something carries it: forces act with the contacts, not before them
+  bool was_loaded : 1;  ///< at the start of the step
+  bool half_owed : 1;   ///< forces of the last half step are still to act
+  bool kept_awake : 1;  ///< by a neighbour that is not still
+  bool calm : 1;        ///< carried, and slower than half the least impact: two such balls have none
 
   Mover() : asleep(false), loaded(false), was_loaded(false), half_owed(false), kept_awake(false), calm(false) {}
 };
@@ -32,19 +32,19 @@ static_assert(sizeof(Mover) == 64, "one cache line");
 /// What the contacts of this step change of a ball, and what of it they ask for. One cache line.
 struct alignas(64) Change
 {
-  Eigen::Vector4f v = Eigen::Vector4f::Zero();    ///< of its velocity [m/s], and 1 / mass, 0 while asleep [1/kg]
-  Eigen::Vector4f rim = Eigen::Vector4f::Zero();  ///< of radius times spin [m/s], and 1 / (k mass) [1/kg]
+  Eigen::Vector4f v = Eigen::Vector4f::Zero();       ///< of its velocity [m/s], and 1 / mass, 0 while asleep [1/kg]
+  Eigen::Vector4f rim = Eigen::Vector4f::Zero();     ///< of radius times spin [m/s], and 1 / (k mass) [1/kg]
   Eigen::Vector4f before = Eigen::Vector4f::Zero();  ///< radius times spin before the contacts [m/s], and 0
-  Eigen::Vector4f p = Eigen::Vector4f::Zero();    ///< of its place, against overlap [m], and 0
+  Eigen::Vector4f p = Eigen::Vector4f::Zero();       ///< of its place, against overlap [m], and 0
 };
 static_assert(sizeof(Change) == 64, "one cache line");
 
 /// The last hit of a ball by a moving body.
 struct Throw
 {
-  double time = -1e300;     ///< [s]
+  double time = -1e300;  ///< [s]
   std::uint16_t body = 0;
-  bool other = false;       ///< the ball has hit something else since
+  bool other = false;  ///< the ball has hit something else since
 };
 
 struct PileSlots
@@ -52,11 +52,11 @@ struct PileSlots
   static constexpr std::uint8_t kCarried = 1;  ///< by something that pushes,
   static constexpr std::uint8_t kTouched = 2;  ///< and that is another ball
 
-  std::vector<std::uint32_t> ball;      ///< its index in WorldWithSolver::balls
+  std::vector<std::uint32_t> ball;  ///< its index in WorldWithSolver::balls
   std::vector<Mover> movers;
-  std::vector<Vector3d> w;              ///< spin [rad/s]
-  std::vector<Quaterniond> q;           ///< but for
-  std::vector<Vector3d> turn;           ///< what it has turned since, as a rotation vector [rad]
+  std::vector<Vector3d> w;     ///< spin [rad/s]
+  std::vector<Quaterniond> q;  ///< but for
+  std::vector<Vector3d> turn;  ///< what it has turned since, as a rotation vector [rad]
   std::vector<Change> changes;
   std::vector<std::uint32_t> swept;     ///< the sweep over touches that last changed it, on the counter of the pile
   std::vector<std::uint8_t> pushed;     ///< in this step: kCarried, kTouched or both
@@ -67,14 +67,15 @@ struct PileSlots
   std::vector<float> still;             ///< [s]
   std::vector<float> untouched;         ///< time since it touched another ball [s]
   std::vector<Throw> throws;
-  std::vector<Vector3d> places;         ///< where it was at the start of the step, if a moving body is near any ball [m]
+  std::vector<Vector3d> places;  ///< where it was at the start of the step, if a moving body is near any ball [m]
 };
 
 /// Calls action(list) for each of these lists. @param with_a  `a`, too: it has no entries where accelerations are constant
 template <typename Action>
 void eachSlotList(PileSlots& slots, bool with_a, const Action& action)
 {
-  auto& [ball, movers, w, q, turn, changes, swept, pushed, a, home, sweep, anchor, still, untouched, throws, places] = slots;  // does not compile if one is left out
+  auto& [ball, movers, w, q, turn, changes, swept, pushed, a, home, sweep, anchor, still, untouched, throws, places] =
+      slots;  // does not compile if one is left out
   const auto each = [&action](auto&... lists) { (action(lists), ...); };
   each(ball, movers, w, q, turn, changes, swept, pushed, home, sweep, anchor, still, untouched, throws, places);
   if (with_a) action(a);

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/contact_batches.h"
-#include "solver/solver_bodies.h"
 #include "ping_pong_sim/forces.h"
 #include "ping_pong_sim/types.h"
+#include "solver/contact_batches.h"
+#include "solver/solver_bodies.h"
 #include "state/world_state.h"
 
 namespace ping_pong
@@ -41,42 +41,43 @@ struct PairLink
 struct BodyLink
 {
   std::uint32_t ball;
-  std::uint32_t next;            ///< link of this ball with a still body
+  std::uint32_t next;  ///< link of this ball with a still body
   std::uint16_t body, shape;
-  Lanes push{};                  ///< in the last step: of friction, and along the normal, >= 0 [N s]
+  Lanes push{};  ///< in the last step: of friction, and along the normal, >= 0 [N s]
 };
 
 /// What is kept of a pair in touch while the links are built anew.
 struct KeptPair
 {
   std::uint32_t a, b;
-  float held;      ///< see Pile
-  Lanes push;      ///< see Pile
+  float held;  ///< see Pile
+  Lanes push;  ///< see Pile
 };
 
 struct BodyTouch
 {
-  Vector3d u;                    ///< velocity of the touched point of the body [m/s]
+  Vector3d u;  ///< velocity of the touched point of the body [m/s]
   std::uint32_t link;
-  std::uint32_t place;           ///< among the batches
-  std::uint32_t ball;            ///< slot
+  std::uint32_t place;  ///< among the batches
+  std::uint32_t ball;   ///< slot
   std::uint16_t material;
-  bool moving;                   ///< link of a moving body
+  bool moving;  ///< link of a moving body
 };
 
 /// A ball that has no room, and the place where it was last whole.
 struct SqueezedBall
 {
-  std::uint32_t ball;         ///< its index in WorldWithSolver::balls
-  Vector3d p_WB;              ///< [m]
+  std::uint32_t ball;  ///< its index in WorldWithSolver::balls
+  Vector3d p_WB;       ///< [m]
 };
 
 /// An impact in this step, if nothing happens to its balls before.
 struct ImpactAhead
 {
-  double time;                ///< from the start of the step [s]
-  std::uint32_t link;         ///< 3 times the index of the link, plus 0: of two balls, 1: with a still body, 2: with a moving one
-  std::uint32_t made;         ///< on the counter of the pile
+  double time;  ///< from the start of the step [s]
+  std::uint32_t
+      link;  ///< 3 times the index of the link, plus 0: of two balls, 1: with a still body, 2: with a moving one
+  std::uint32_t made;  ///< on the counter of the pile
 };
 
 /// A slab of the pile: its balls, the links of which it has the first ball, and what a step notes of them. Lists of links are
@@ -88,17 +89,17 @@ struct PileShare
   std::vector<std::uint32_t> active_pairs, active_bodies;  ///< those with an end that is awake
   std::vector<BodyTouch> body_touches;
   std::vector<TouchBatch> pair_batches, body_batches;
-  OpenBatches open_pairs, open_bodies;   ///< of these, while touches are listed
-  std::vector<FoundPair> found;          ///< of each place in pair_batches, then
-  std::vector<std::uint32_t> pair_links; ///< of each place
-  std::vector<ImpactAhead> ahead;        ///< found by a look at all links
-  std::vector<std::uint32_t> leaving;    ///< slots of balls that leave the way that their links cover
-  std::vector<std::uint32_t> waking;     ///< slots to wake up at the end of the step
-  double fastest_squared = 0.0;          ///< speed of a ball before the contacts of this step [m^2/s^2]
-  std::uint32_t squeezed = 0;            ///< balls deep in a body at the start of this step
-  std::uint32_t changed = 0;             ///< when a sweep last changed something here, on the counter of the pile
-  bool active_void = false;              ///< somebody fell asleep or woke up
-  bool not_finite = false;               ///< in this step
+  OpenBatches open_pairs, open_bodies;    ///< of these, while touches are listed
+  std::vector<FoundPair> found;           ///< of each place in pair_batches, then
+  std::vector<std::uint32_t> pair_links;  ///< of each place
+  std::vector<ImpactAhead> ahead;         ///< found by a look at all links
+  std::vector<std::uint32_t> leaving;     ///< slots of balls that leave the way that their links cover
+  std::vector<std::uint32_t> waking;      ///< slots to wake up at the end of the step
+  double fastest_squared = 0.0;           ///< speed of a ball before the contacts of this step [m^2/s^2]
+  std::uint32_t squeezed = 0;             ///< balls deep in a body at the start of this step
+  std::uint32_t changed = 0;              ///< when a sweep last changed something here, on the counter of the pile
+  bool active_void = false;               ///< somebody fell asleep or woke up
+  bool not_finite = false;                ///< in this step
 };
 
 /// Cells of a uniform grid with the balls in each, by the boxes that they may sweep.
@@ -112,13 +113,13 @@ struct PileGrid
   };
   Vector3d origin = Vector3d::Zero();
   double cells_per_metre = 1.0;
-  float large_edge = 0.0f;           ///< boxes with a longer edge are not in the cells [m]
+  float large_edge = 0.0f;  ///< boxes with a longer edge are not in the cells [m]
   std::array<int, 3> count{1, 1, 1};
   std::vector<std::uint32_t> start;  ///< of each cell in `entries`
   std::vector<std::uint32_t> cell;   ///< of each ball
   std::vector<Entry> entries;        ///< by cell
   std::vector<Entry> large;
-  std::vector<Entry> strays;         ///< balls that have left their box since, with their new one
+  std::vector<Entry> strays;  ///< balls that have left their box since, with their new one
 
   int cellAt(double x, int axis) const;
 };
@@ -130,13 +131,14 @@ struct Pile : PileSlots
 
   std::vector<BallKind> kinds;
   std::vector<PairLink> pairs;
-  std::vector<Lanes> pushes;            ///< of each pair in the last step: of friction, and along the normal, >= 0 [N s]
-  std::vector<float> held;              ///< of each pair: normal force when one of them fell asleep; < 0 if not one alone sleeps [N]
-  std::vector<BodyLink> bodies;         ///< with still bodies
-  std::vector<BodyLink> moving;         ///< with moving bodies, for this step
+  std::vector<Lanes> pushes;  ///< of each pair in the last step: of friction, and along the normal, >= 0 [N s]
+  std::vector<float>
+      held;  ///< of each pair: normal force when one of them fell asleep; < 0 if not one alone sleeps [N]
+  std::vector<BodyLink> bodies;                  ///< with still bodies
+  std::vector<BodyLink> moving;                  ///< with moving bodies, for this step
   std::array<PileShare, kMostSlabs + 1> shares;  ///< slabs; the last one has the links that go farther
   std::size_t slabs = 1;
-  std::vector<std::uint8_t> share_of;   ///< slab of each ball, since the links were built
+  std::vector<std::uint8_t> share_of;     ///< slab of each ball, since the links were built
   std::vector<std::uint32_t> first_link;  ///< of each ball, the beginning of the chain of its links in `pairs`
   std::vector<std::uint32_t> first_body;  ///< the same in `bodies`
   std::vector<ImpactAhead> ahead;         ///< heap, the next one on top
@@ -146,16 +148,17 @@ struct Pile : PileSlots
   std::vector<std::uint32_t> old_slot, new_slot;  ///< scratch
   PileGrid grid;
   std::array<std::vector<PairLink>, kMostSlabs> found;  ///< links of a part of the grid each
-  float margin = 0.0f;                  ///< of the links [m]
-  std::uint32_t counter = 1;            ///< goes up with every impact and every sweep over touches; see restartCounter()
+  float margin = 0.0f;                                  ///< of the links [m]
+  std::uint32_t counter = 1;  ///< goes up with every impact and every sweep over touches; see restartCounter()
   std::uint32_t steps = 0;
-  std::uint32_t step_mark = 0;          ///< the counter at the start of the step
-  unsigned body_versions = 0;           ///< sum, when the links were built
+  std::uint32_t step_mark = 0;  ///< the counter at the start of the step
+  unsigned body_versions = 0;   ///< sum, when the links were built
   bool links_void = true;
-  double h = 0.0;                       ///< length of the step [s]
-  double start = 0.0, end = 0.0;        ///< of the step [s]
-  double pressing = 0.0;                ///< speed of the fastest moving body that presses on a ball in this step, 0 if none does [m/s]
-  double least_impact = 0.0;            ///< of the first impact in a step [m/s]
+  double h = 0.0;                 ///< length of the step [s]
+  double start = 0.0, end = 0.0;  ///< of the step [s]
+  double pressing =
+      0.0;  ///< speed of the fastest moving body that presses on a ball in this step, 0 if none does [m/s]
+  double least_impact = 0.0;  ///< of the first impact in a step [m/s]
 
   /// Slower is no impact but a contact [m/s]: after each impact in a step four times as much, or a jam would have no end.
   double leastImpact(int impacts) const { return least_impact * static_cast<double>(1 << (2 * impacts)); }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "state/squeeze.h"
 #include "solver/seams.h"
 #include "state/free_space.h"
+#include "state/squeeze.h"
 
 namespace ping_pong
 {
@@ -13,11 +13,14 @@ namespace
 {
 constexpr double kPartOfRadius = 0.25;  // way of a body in a step, of the radius of a ball near it;
 constexpr double kMostPieces = 64.0;    // but no more steps than this instead of one
-constexpr double kOneContact = 1e-3;    // hits sooner after each other are one: a contact of a real ball lasts as long [s]
-constexpr double kFlees = 8.0;          // times the speed of a body: two surfaces press no ball out faster. Planes tilted by 1 / 8
-constexpr double kElastic = 2.0;        // the same for balls that others press on: what an elastic hit by the body gives
-constexpr double kDeep = 1e-4;          // overlap that there is no room for [m],
-constexpr double kPartOfWay = 0.5;      // and this part of the way of the body, where an iteration that was cut short may leave it
+constexpr double kOneContact =
+    1e-3;  // hits sooner after each other are one: a contact of a real ball lasts as long [s]
+constexpr double kFlees =
+    8.0;  // times the speed of a body: two surfaces press no ball out faster. Planes tilted by 1 / 8
+constexpr double kElastic = 2.0;  // the same for balls that others press on: what an elastic hit by the body gives
+constexpr double kDeep = 1e-4;    // overlap that there is no room for [m],
+constexpr double kPartOfWay =
+    0.5;  // and this part of the way of the body, where an iteration that was cut short may leave it
 
 double sizeOf(const Body& body)
 {
@@ -38,7 +41,10 @@ double leastRadiusNear(const Pile& pile, const Vector3d& p_WB, double reach, dou
   return least;
 }
 
-const BodyLink& linkOf(const Pile& pile, const BodyTouch& touch) { return touch.moving ? pile.moving[touch.link] : pile.bodies[touch.link]; }
+const BodyLink& linkOf(const Pile& pile, const BodyTouch& touch)
+{
+  return touch.moving ? pile.moving[touch.link] : pile.bodies[touch.link];
+}
 
 // Twice a kinetic energy by the mass, that of the spin with it [m^2/s^2].
 double energyOf(const BallParams& ball, const Vector3d& v, const Vector3d& w)
@@ -89,7 +95,8 @@ double shortEnough(const WorldWithSolver& world, double start, double end, doubl
   {
     if (!body.moving) continue;
     const BodyFrame frame = frameAt(body.motion, start - body.motion.start);
-    const double size = sizeOf(body.body), speed = frame.v_WB.norm() + frame.w_WB.norm() * size + duration * frame.a_WB.norm();
+    const double size = sizeOf(body.body),
+                 speed = frame.v_WB.norm() + frame.w_WB.norm() * size + duration * frame.a_WB.norm();
     if (speed * most <= kPartOfRadius * least) continue;
     const double radius = leastRadiusNear(world.pile, frame.p_WB, size + duration * speed, duration);
     if (radius < kNever) h = std::min(h, std::max(kPartOfRadius * radius / speed, most / kMostPieces));
@@ -114,11 +121,13 @@ bool takesAlong(Pile& pile, const BodyLink& link, double t)
 void limitImpulse(const BallParams& ball, const BallState& before, double speed, BallState& after, Vector3d& impulse)
 {
   const double rim = ball.inertia * ball.radius * ball.radius;  // energies are in (m/s)^2
-  const auto product = [rim](const Vector3d& v, const Vector3d& w, const Vector3d& v2, const Vector3d& w2) { return v.dot(v2) + rim * w.dot(w2); };
+  const auto product = [rim](const Vector3d& v, const Vector3d& w, const Vector3d& v2, const Vector3d& w2)
+  { return v.dot(v2) + rim * w.dot(w2); };
   const double had = product(before.v_WB, before.w_WB, before.v_WB, before.w_WB);
   const double room = std::max(speed * speed - had, 0.0);
   const Vector3d dv = after.v_WB - before.v_WB, dw = after.w_WB - before.w_WB;
-  const double a = product(dv, dw, dv, dw), b = product(before.v_WB, before.w_WB, dv, dw);  // a part of the change adds (a part + 2 b) part
+  const double a = product(dv, dw, dv, dw),
+               b = product(before.v_WB, before.w_WB, dv, dw);  // a part of the change adds (a part + 2 b) part
   if (a + 2.0 * b <= room) return;
   const double part = std::clamp((std::sqrt(b * b + a * room) - b) / a, 0.0, 1.0);
   after.v_WB = before.v_WB + part * dv;
@@ -126,7 +135,10 @@ void limitImpulse(const BallParams& ball, const BallState& before, double speed,
   impulse *= part;
 }
 
-void noteOther(Pile& pile, std::uint32_t ball) { pile.throws[ball].other = true; }
+void noteOther(Pile& pile, std::uint32_t ball)
+{
+  pile.throws[ball].other = true;
+}
 
 void findPressing(Pile& pile)
 {

@@ -3,19 +3,20 @@
 #include <cmath>
 
 #include "base/law_counter.h"
-#include "solver/slabs.h"
-#include "solver/squeezed_in_solver.h"
 #include "evolve/flight.h"
 #include "evolve/integrators.h"
+#include "solver/slabs.h"
+#include "solver/squeezed_in_solver.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr double kFastest = 1e8;       // [m/s]
-constexpr double kNoImpact = 1e-9;     // slower is no impact: without any force [m/s],
-constexpr double kImpactInSteps = 2.0; // and else what gravity adds in so many steps
-constexpr std::uint32_t kLastCount = 1u << 31;  // a step that begins above this counts anew: days of steps, and it must not wrap
+constexpr double kFastest = 1e8;        // [m/s]
+constexpr double kNoImpact = 1e-9;      // slower is no impact: without any force [m/s],
+constexpr double kImpactInSteps = 2.0;  // and else what gravity adds in so many steps
+constexpr std::uint32_t kLastCount =
+    1u << 31;  // a step that begins above this counts anew: days of steps, and it must not wrap
 
 void accelerate(WorldWithSolver& world)
 {
@@ -88,7 +89,7 @@ void endStep(Pile& pile, PileShare& share)
     {
       const Vector3d predicted = v + (0.5 * pile.h) * pile.flightAcceleration(i);
       v += (0.5 * pile.h) * (pile.a.empty() ? pile.flightAcceleration(i)
-                                             : pile.kinds[mover.kind].model.acceleration(predicted, pile.w[i]));
+                                            : pile.kinds[mover.kind].model.acceleration(predicted, pile.w[i]));
     }
     if (!(v.squaredNorm() < kFastest * kFastest) || !p.allFinite())  // the ball keeps its last finite state
     {
@@ -181,7 +182,8 @@ void runPile(WorldWithSolver& world, double start, double end, double longest_st
   Pile& pile = world.pile;
   if (pile.ball.empty()) return;
   const double duration = end - start;
-  const long steps = std::max(1L, std::lround(std::ceil(duration / shortEnough(world, start, end, longest_step) - 1e-9)));
+  const long steps =
+      std::max(1L, std::lround(std::ceil(duration / shortEnough(world, start, end, longest_step) - 1e-9)));
   const double h = duration / static_cast<double>(steps);
   const auto startOf = [&](long i) { return i == steps ? end : start + h * static_cast<double>(i); };
   for (long i = 0; i < steps && !pile.ball.empty(); ++i)

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/law_counter.h"
-#include "solver/seams.h"
 #include "evolve/flight.h"
+#include "solver/seams.h"
 
 namespace ping_pong
 {
@@ -16,7 +16,8 @@ constexpr int kMostSeams = 4;        // of a moving body that a ball passes in a
 
 // A ball on a face comes to the edge of the next shape in the same plane: no impact. When it will be past the edge, or kNever.
 // @param v  its velocity relative to the body
-double passesSeam(const WorldWithSolver& world, const BodyLink& link, const Proximity& near, const Vector3d& p, const Vector3d& v, double t)
+double passesSeam(const WorldWithSolver& world, const BodyLink& link, const Proximity& near, const Vector3d& p,
+                  const Vector3d& v, double t)
 {
   if (near.flat()) return t;
   const Seam seam = seamWith(world, link, near, p, t);

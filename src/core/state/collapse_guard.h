@@ -10,13 +10,14 @@ namespace ping_pong
 inline constexpr double kStreakTime = 1e-5;       // [s]
 inline constexpr double kStreakForgotten = 1e-3;  // a streak ends when nothing happens for so long [s]
 inline constexpr int kLongStreak = 64;
-inline constexpr double kDeadSpeed = 1e-4;  // leaving a body more slowly in a long streak, a ball no longer bounces [m/s]
+inline constexpr double kDeadSpeed =
+    1e-4;  // leaving a body more slowly in a long streak, a ball no longer bounces [m/s]
 // Contacts that follow each other faster than this are a crush: a moving paddle leaves hardly any room.
-inline constexpr double kCrushTime = 1e-7;        // [s]
+inline constexpr double kCrushTime = 1e-7;  // [s]
 inline constexpr int kHopelessCrush = 10000;
 // Balls that press on each other and no longer bounce part with this speed: hops of v^2/2g = 1.3e-6 m, 1 ms long.
-inline constexpr double kHopSpeed = 5e-3;     // [m/s]
-inline constexpr double kTouchSpeed = 1e-9;   // slower is no impact [m/s]
+inline constexpr double kHopSpeed = 5e-3;    // [m/s]
+inline constexpr double kTouchSpeed = 1e-9;  // slower is no impact [m/s]
 
 inline void countStreak(BallRecord& ball, double t)
 {

@@ -28,7 +28,7 @@ struct Impact
 /// @param u  velocity of the touched point of the body
 /// @return  the record, or nullptr if none are kept
 inline Contact* recordBodyContact(Records& records, const BallRecord& ball, std::size_t i, const Event& event,
-                              const Impact& impact, const Vector3d& n_W, const Vector3d& u, double t)
+                                  const Impact& impact, const Vector3d& n_W, const Vector3d& u, double t)
 {
   Contact* contact = newContact(records, i);
   if (!contact) return nullptr;

@@ -5,8 +5,8 @@
 
 namespace ping_pong
 {
-inline constexpr int kCrowded = 150;         // contacts of a ball with others,
-inline constexpr double kCrowdTime = 0.2;    // within this time, make it join [s]
+inline constexpr int kCrowded = 150;       // contacts of a ball with others,
+inline constexpr double kCrowdTime = 0.2;  // within this time, make it join [s]
 
 /// After a contact of a ball with another one at time t that loses speed: whether they follow each other too fast.
 inline bool countCrowding(BallRecord& ball, double t)

@@ -6,18 +6,18 @@
 #include <utility>
 #include <vector>
 
-#include "state/ball_types.h"
-#include "geometry/aabb.h"
-#include "base/prefetch.h"
-#include "evolve/parabola.h"
-#include "ping_pong_sim/contact.h"
-#include "detect/first_contact.h"
 #include "base/pooled.h"
-#include "ping_pong_sim/scene.h"
-#include "evolve/segment.h"
-#include "state/supports.h"
-#include "ping_pong_sim/step_status.h"
+#include "base/prefetch.h"
 #include "base/thread_pool.h"
+#include "detect/first_contact.h"
+#include "evolve/parabola.h"
+#include "evolve/segment.h"
+#include "geometry/aabb.h"
+#include "ping_pong_sim/contact.h"
+#include "ping_pong_sim/scene.h"
+#include "ping_pong_sim/step_status.h"
+#include "state/ball_types.h"
+#include "state/supports.h"
 
 namespace ping_pong
 {
@@ -27,8 +27,8 @@ struct Event
   enum class Kind : std::uint8_t
   {
     None,
-    LookAgain,   ///< the search ended here without an answer
-    LeaveFace,   ///< the path on the supporting surfaces ends
+    LookAgain,  ///< the search ended here without an answer
+    LeaveFace,  ///< the path on the supporting surfaces ends
     HitBody,
     HitBall
   };
@@ -51,11 +51,11 @@ struct Passing
 /// Who moves a ball.
 enum class BallOwner : std::uint8_t
 {
-  Method,          ///< the scene's method, on paths or in steps of its own
-  Solver,          ///< the contact solver: every ball of `impulse`, and what `exact` has handed over, see solver_handover.h
-  SolverAsleep,    ///< the same; at rest until something wakes it, see sleep.cpp
-  Nobody,          ///< squeezed: it has no room, and is given back to the method when it has
-  NobodyOfSolver   ///< the same, given back to the solver
+  Method,  ///< the scene's method, on paths or in steps of its own
+  Solver,  ///< the contact solver: every ball of `impulse`, and what `exact` has handed over, see solver_handover.h
+  SolverAsleep,   ///< the same; at rest until something wakes it, see sleep.cpp
+  Nobody,         ///< squeezed: it has no room, and is given back to the method when it has
+  NobodyOfSolver  ///< the same, given back to the solver
 };
 
 /// Thousands of them are a long way through memory: what many have in common, and what few have, is elsewhere, and small
@@ -65,20 +65,20 @@ struct BallRecord
   const BallType* type;
   [[no_unique_address]] Event next;  ///< with still bodies; holds until the path changes
   BallOwner owner : 7;
-  bool overflows : 1;             ///< a step of fixed length from here has no finite end: the path goes straight on
-  std::uint16_t crush = 0;        ///< contacts in even quicker succession than a streak's
-  std::uint8_t streak = 0;        ///< contacts in quick succession, see collapse_guard.h
-  std::uint8_t crowding = 0;      ///< contacts with other balls since `crowded_since`, see solver_handover.h
+  bool overflows : 1;         ///< a step of fixed length from here has no finite end: the path goes straight on
+  std::uint16_t crush = 0;    ///< contacts in even quicker succession than a streak's
+  std::uint8_t streak = 0;    ///< contacts in quick succession, see collapse_guard.h
+  std::uint8_t crowding = 0;  ///< contacts with other balls since `crowded_since`, see solver_handover.h
   Pooled<Passing> passing;
   Supports supports;
   [[no_unique_address]] Segment path;
   BallId id;
-  double last_contact = -1e300;   ///< [s]
-  float crowded_since = -1e30f;   ///< [s]
-  std::uint32_t version = 0;      ///< of the path
+  double last_contact = -1e300;  ///< [s]
+  float crowded_since = -1e30f;  ///< [s]
+  std::uint32_t version = 0;     ///< of the path
 
   BallRecord(BallId its_id, const BallType& its_type)
-    : type(&its_type), owner(BallOwner::Method), overflows(false), id(its_id)
+      : type(&its_type), owner(BallOwner::Method), overflows(false), id(its_id)
   {
   }
   const BallParams& params() const { return type->first; }
@@ -129,17 +129,18 @@ Box boxOf(const BallRecord& ball, double from, double to);
   const double s = std::max(from - path.start, 0.0), e = std::max(to - path.start, s);
   const Vector3d p = path.p + s * (path.v + s * path.half_a), q = path.p + e * (path.v + e * path.half_a);
   const Vector3d bulge = (0.25 * (e - s) * (e - s)) * path.half_a;  // towards -a
-  return {(p.cwiseMin(q) - bulge.cwiseMax(0.0)).array() - radius, (p.cwiseMax(q) - bulge.cwiseMin(0.0)).array() + radius};
+  return {(p.cwiseMin(q) - bulge.cwiseMax(0.0)).array() - radius,
+          (p.cwiseMax(q) - bulge.cwiseMin(0.0)).array() + radius};
 }
 
 struct BodyRecord
 {
   Body body;
-  BodyMotion motion;      ///< from its start on; still bodies have none
+  BodyMotion motion;  ///< from its start on; still bodies have none
   PaddleCommand command;
   bool moving = false;
-  bool moved = false;     ///< in the window before
-  bool blocked = false;   ///< a static body has stopped it in this tick
+  bool moved = false;    ///< in the window before
+  bool blocked = false;  ///< a static body has stopped it in this tick
   unsigned version = 0;
   std::vector<Shape> placed;  ///< the shapes in the world frame, for still bodies
   std::vector<Box> boxes;     ///< that contain them
@@ -148,7 +149,10 @@ struct BodyRecord
   const BodyMotion& frame() const { return moving ? motion : kWorldFrame; }
   BodyFrame at(double time) const { return frameAt(frame(), time - frame().start); }
   /// A point given in W, in the frame of shapes() [m].
-  Vector3d seenFrom(const Vector3d& p_WQ, double time) const { return moving ? motion.poseAt(time - motion.start).toB(p_WQ) : p_WQ; }
+  Vector3d seenFrom(const Vector3d& p_WQ, double time) const
+  {
+    return moving ? motion.poseAt(time - motion.start).toB(p_WQ) : p_WQ;
+  }
 
   static const BodyMotion kWorldFrame;
 };
@@ -163,15 +167,15 @@ struct ContactOrigin
 /// What the handling of events notes, besides the balls: of the world, or of one worker.
 struct Records
 {
-  bool keep_contacts = true;           ///< else they are counted only
+  bool keep_contacts = true;  ///< else they are counted only
   std::vector<Contact> contacts;
   std::vector<ContactOrigin> origins;  ///< by contact, in the exact method
   std::uint32_t run = 0;               ///< of the island at work, for origins
   StepStatus status;
-  std::size_t pair_searches = 0;       ///< of balls with balls, in this window
-  std::size_t near_pairs = 0;          ///< of balls whose boxes overlap, in this window
-  bool crowding = false;               ///< a ball has met others too often, see solver_handover.h
-  bool any_squeezed = false;           ///< a ball may be
+  std::size_t pair_searches = 0;  ///< of balls with balls, in this window
+  std::size_t near_pairs = 0;     ///< of balls whose boxes overlap, in this window
+  bool crowding = false;          ///< a ball has met others too often, see solver_handover.h
+  bool any_squeezed = false;      ///< a ball may be
 };
 
 /// What a world was made of. It never changes, so that a world and its copies share it.
@@ -196,15 +200,16 @@ struct WorldState : Records, SharedScene
   WorldState(const WorldState&) = delete;
   WorldState& operator=(const WorldState&) = default;
 
-  Method method = Method::Exact;          ///< in use: never Auto
-  bool flies_in_steps = false;            ///< paths in the air are steps of scene.dt, else of what the tolerance permits
-  double time = 0.0;  ///< [s]
+  Method method = Method::Exact;  ///< in use: never Auto
+  bool flies_in_steps = false;    ///< paths in the air are steps of scene.dt, else of what the tolerance permits
+  double time = 0.0;              ///< [s]
   BallTypes types;
   std::vector<BallRecord> balls;
   std::vector<BodyRecord> bodies;
-  bool any_moving = false;                ///< any body, in this window
-  std::uint32_t edits = 0;                ///< raised by who changes balls or bodies outside of a window: what is remembered of them is void
-  Workers workers;                        ///< as many as the scene names threads, once there are balls to share
+  bool any_moving = false;  ///< any body, in this window
+  std::uint32_t edits =
+      0;            ///< raised by who changes balls or bodies outside of a window: what is remembered of them is void
+  Workers workers;  ///< as many as the scene names threads, once there are balls to share
 
   /// Its record will be changed soon: until then it comes through memory.
   void fetch(std::size_t i) const

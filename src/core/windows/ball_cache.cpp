@@ -65,7 +65,8 @@ void Glances::lookAtAll(const std::vector<BallRecord>& balls, std::uint32_t edit
     const bool new_kind = list_[i].kind == kAskRecord && how != GlanceKind::How::AskRecord;
     const bool rolls = how == GlanceKind::How::Flies && !ball.supports.none();
     if (!new_kind || rolls || kinds_.size() == kMostKinds) continue;
-    kinds_.push_back({how, ball.params().radius, how == GlanceKind::How::Flies ? ball.path.c[2] : Vector3d(Vector3d::Zero())});
+    kinds_.push_back(
+        {how, ball.params().radius, how == GlanceKind::How::Flies ? ball.path.c[2] : Vector3d(Vector3d::Zero())});
     list_[i].kind = static_cast<std::uint8_t>(kinds_.size() - 1);
   }
   known_ = edits;

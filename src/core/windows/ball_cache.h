@@ -7,9 +7,9 @@
 #include <cstring>
 #include <vector>
 
-#include "geometry/aabb.h"
 #include "base/prefetch.h"
 #include "evolve/parabola.h"
+#include "geometry/aabb.h"
 
 namespace ping_pong
 {
@@ -60,8 +60,8 @@ struct GlanceKind
     Lies
   };
   How how = How::AskRecord;
-  double radius = 0.0;                   ///< [m]
-  Vector3d half_a = Vector3d::Zero();    ///< [m/s^2], in W
+  double radius = 0.0;                 ///< [m]
+  Vector3d half_a = Vector3d::Zero();  ///< [m/s^2], in W
 };
 
 class Glances
@@ -89,7 +89,8 @@ public:
     Word expected, wanted;
     std::memcpy(&expected, &now, sizeof expected);
     std::memcpy(&wanted, &other, sizeof wanted);
-    return __atomic_compare_exchange_n(const_cast<Word*>(wordOf(i)), &expected, wanted, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+    return __atomic_compare_exchange_n(const_cast<Word*>(wordOf(i)), &expected, wanted, false, __ATOMIC_RELAXED,
+                                       __ATOMIC_RELAXED);
   }
 
   /// It will be looked at soon, or changed: until then it comes through memory.
@@ -104,7 +105,10 @@ private:
   static constexpr std::size_t kMostKinds = 16;
   using Word [[gnu::may_alias]] = std::uint64_t;
 
-  const Word* wordOf(std::size_t i) const { return reinterpret_cast<const Word*>(static_cast<const GlanceHead*>(&list_[i])); }
+  const Word* wordOf(std::size_t i) const
+  {
+    return reinterpret_cast<const Word*>(static_cast<const GlanceHead*>(&list_[i]));
+  }
 
   bool is(std::uint8_t kind, const BallRecord& ball) const;
   std::uint8_t kindFor(const BallRecord& ball, std::uint8_t guess) const;

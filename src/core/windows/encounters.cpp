@@ -58,7 +58,8 @@ bool meet(const View& a, const View& b, double reach)
 }
 
 // On paths that both, or one of them, have left. Few have: whoever asks for the others is quicker without this in between.
-[[gnu::noinline]] bool metBefore(const WorldWithWindows& world, const WorkerWindow& window, std::size_t i, std::size_t k)
+[[gnu::noinline]] bool metBefore(const WorldWithWindows& world, const WorkerWindow& window, std::size_t i,
+                                 std::size_t k)
 {
   const double reach = radiusOf(world, i) + radiusOf(world, k);
   const View my_last = onItsPath(world, window, i), its_last = onItsPath(world, window, k);
@@ -95,9 +96,12 @@ void forgetPath(Piece& piece, double until)
   const Glance &a = glances[i], &b = glances[k];
   const GlanceKind &kind_a = glances.kindOf(a), &kind_b = glances.kindOf(b);
   const bool fly = kind_a.how == GlanceKind::How::Flies && kind_b.how == GlanceKind::How::Flies;
-  if (!fly || (a.kind != b.kind && kind_a.half_a != kind_b.half_a)) return meetingOnPaths(world.balls[i], world.balls[k], until);
+  if (!fly || (a.kind != b.kind && kind_a.half_a != kind_b.half_a))
+    return meetingOnPaths(world.balls[i], world.balls[k], until);
   count(Law::PairSearch);
-  return firstContact(viewOf(a, kind_a), viewOf(b, kind_b), kind_a.radius + kind_b.radius, std::max(a.start, b.start), until).time;
+  return firstContact(viewOf(a, kind_a), viewOf(b, kind_b), kind_a.radius + kind_b.radius, std::max(a.start, b.start),
+                      until)
+      .time;
 }
 class WindowLog final : public FlightLog
 {

@@ -21,8 +21,9 @@ double firstMeeting(const WorldWithWindows& world, std::size_t i, std::size_t k,
 /// Of balls flown apart.
 struct Encounter
 {
-  bool met;     ///< they came into each other's way in the window; a piece that is no parabola may say so too often
-  double next;  ///< else: when they meet on the paths that they are on, if it is until the outlook ends, see firstMeeting() [s]
+  bool met;  ///< they came into each other's way in the window; a piece that is no parabola may say so too often
+  double
+      next;  ///< else: when they meet on the paths that they are on, if it is until the outlook ends, see firstMeeting() [s]
 };
 Encounter encounterOf(const WorldWithWindows& world, const WorkerWindow& window, std::size_t i, std::size_t k);
 }  // namespace ping_pong

@@ -45,7 +45,8 @@ void runAlone(WorldWithWindows& world, WorkerWindow& window, std::size_t i)
   noteLast(world, window, i);
 }
 
-void lookAtPairs(const WorldWithWindows& world, const WorkerWindow& window, const BroadPhase::Pair* pairs, std::size_t count)
+void lookAtPairs(const WorldWithWindows& world, const WorkerWindow& window, const BroadPhase::Pair* pairs,
+                 std::size_t count)
 {
   for (std::size_t p = 0; p < count; ++p) lookAtPair(world, window, pairs[p][0], pairs[p][1]);
 }
@@ -71,16 +72,17 @@ void runInTurn(WorldWithWindows& world, const WorkerWindow& window, IslandWork& 
 {
   IslandRecords& islands = world.islands;
   std::size_t bent = 0;
-  inTurn(list.turn.data(), list.turn.size(), [&world](std::uint32_t i) { world.fetch(i); },
-         [&](std::uint32_t i)
-         {
-           if (!hasEvents(world, i, window.end)) return islands.noteDue(list, i);  // later: its time was rounded
-           WorkerWindow its = window;
-           runAlone(world, its, i);
-           if (!islands.glances[i].bent) return;
-           islands.announce(*window.work, i);
-           list.turn[bent++] = i;
-         });
+  inTurn(
+      list.turn.data(), list.turn.size(), [&world](std::uint32_t i) { world.fetch(i); },
+      [&](std::uint32_t i)
+      {
+        if (!hasEvents(world, i, window.end)) return islands.noteDue(list, i);  // later: its time was rounded
+        WorkerWindow its = window;
+        runAlone(world, its, i);
+        if (!islands.glances[i].bent) return;
+        islands.announce(*window.work, i);
+        list.turn[bent++] = i;
+      });
   list.turn.resize(bent);
 }
 }  // namespace
@@ -103,19 +105,20 @@ void flyAnew(WorldWithWindows& world, const WorkerWindow& window)
   const bool ahead = window.outlook > window.end;
   beginOutlook(world, window);
   grid.layOut(world.balls.size(), [&](std::size_t i) { return quietBox(world, window, i); });
-  grid.putAll(world.workers, [&islands](std::uint32_t i) { islands.glances.fetch(i); },
-              [&](std::size_t place, std::uint32_t i, std::size_t worker)
-              {
-                if (!hasEvents(world, i, window.end))
-                {
-                  grid.put(place, quietBox(world, window, i));
-                  if (ahead && isDue(islands, i)) islands.noteDue(islands.work[worker], i);
-                  return;
-                }
-                WorkerWindow its = ofWorker(world, window, worker);
-                runAlone(world, its, i);
-                grid.put(place, islands.busy(i).swept);
-              });
+  grid.putAll(
+      world.workers, [&islands](std::uint32_t i) { islands.glances.fetch(i); },
+      [&](std::size_t place, std::uint32_t i, std::size_t worker)
+      {
+        if (!hasEvents(world, i, window.end))
+        {
+          grid.put(place, quietBox(world, window, i));
+          if (ahead && isDue(islands, i)) islands.noteDue(islands.work[worker], i);
+          return;
+        }
+        WorkerWindow its = ofWorker(world, window, worker);
+        runAlone(world, its, i);
+        grid.put(place, islands.busy(i).swept);
+      });
   grid.sort(world.workers);
   world.workers.each(grid.boxes(), kBoxes,
                      [&](std::size_t begin, std::size_t end, std::size_t worker)
@@ -126,7 +129,8 @@ void flyAnew(WorldWithWindows& world, const WorkerWindow& window)
                          islands.glances.fetch(i);
                          islands.glances.fetch(k);
                        };
-                       grid.eachPairs(begin, end, fetch, [&](const BroadPhase::Pair* pairs, std::size_t count)
+                       grid.eachPairs(begin, end, fetch,
+                                      [&](const BroadPhase::Pair* pairs, std::size_t count)
                                       { lookAtPairs(world, its, pairs, count); });
                      });
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "windows/encounters.h"
 #include "events/predict.h"
+#include "windows/encounters.h"
 #include "windows/solver_handover.h"
 #include "windows/union_find.h"
 
@@ -70,8 +70,9 @@ void runIsland(WorldWithWindows& world, WorkerWindow window, std::uint32_t root)
 
 void runIslandParts(WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* roots, std::size_t count)
 {
-  inTurn(roots, count, [&world](std::uint32_t root) { fetchIsland(world, root); },
-         [&](std::uint32_t root) { runIsland(world, window, root); });
+  inTurn(
+      roots, count, [&world](std::uint32_t root) { fetchIsland(world, root); },
+      [&](std::uint32_t root) { runIsland(world, window, root); });
 }
 
 // Calls action(ball) for each that was hit.
@@ -93,7 +94,8 @@ void findWhoWasMet(WorldWithWindows& world, const WorkerWindow& window, const st
 {
   std::vector<std::uint32_t>& thrown = window.work->thrown;
   thrown.clear();
-  for (std::size_t r = 0; r < count; ++r) eachThrown(world, roots[r], [&thrown](std::uint32_t i) { thrown.push_back(i); });
+  for (std::size_t r = 0; r < count; ++r)
+    eachThrown(world, roots[r], [&thrown](std::uint32_t i) { thrown.push_back(i); });
   lookAround(world, window, thrown.data(), thrown.size());
 }
 
@@ -114,7 +116,8 @@ void eachIsland(WorldWithWindows& world, const WorkerWindow& window, const Actio
                                {
                                  const std::size_t from = std::max(begin, first), to = std::min(end, islands.ends[l]);
                                  const std::uint32_t* roots = islands.work[l].roots.data();
-                                 if (from < to) action(world, ofWorker(world, window, worker), roots + (from - first), to - from);
+                                 if (from < to)
+                                   action(world, ofWorker(world, window, worker), roots + (from - first), to - from);
                                }
                              });
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "windows/window_state.h"
 #include "windows/encounters.h"
 #include "windows/islands.h"
+#include "windows/window_state.h"
 
 namespace ping_pong
 {
@@ -16,7 +16,8 @@ constexpr std::size_t kListed = 8;     // balls for which is listed who is near,
 bool unchanged(const WorldWithWindows& world, const Meeting& meeting)
 {
   const Glances& glances = world.islands.glances;
-  return glances[meeting.first].version == meeting.first_version && glances[meeting.second].version == meeting.second_version;
+  return glances[meeting.first].version == meeting.first_version &&
+         glances[meeting.second].version == meeting.second_version;
 }
 
 void note(const WorldWithWindows& world, IslandWork& work, std::uint32_t i, std::uint32_t k, double t)
@@ -25,7 +26,8 @@ void note(const WorldWithWindows& world, IslandWork& work, std::uint32_t i, std:
   work.meetings.push_back({floatBefore(t), i, k, glances[i].version, glances[k].version});
 }
 
-void noteEncounter(const WorldWithWindows& world, const WorkerWindow& window, IslandWork& work, std::uint32_t i, std::uint32_t k)
+void noteEncounter(const WorldWithWindows& world, const WorkerWindow& window, IslandWork& work, std::uint32_t i,
+                   std::uint32_t k)
 {
   const Encounter encounter = encounterOf(world, window, i, k);
   if (encounter.met)
@@ -44,23 +46,26 @@ void noteNext(const WorldWithWindows& world, const WorkerWindow& window, std::ui
 
 // Calls action(i, k) for each of these balls i and every other ball k whose box overlaps box(i); for some k twice.
 template <class BoxOfBall, class Action>
-void eachNearOf(const std::uint32_t* balls, std::size_t count, const IslandRecords& islands, NearList& near, const BoxOfBall& box,
-                const Action& action)
+void eachNearOf(const std::uint32_t* balls, std::size_t count, const IslandRecords& islands, NearList& near,
+                const BoxOfBall& box, const Action& action)
 {
   for (std::size_t begin = 0; begin < count; begin += kListed)
   {
     const std::size_t end = std::min(begin + kListed, count);
     near.clear();
     for (std::size_t b = begin; b < end; ++b) islands.listNear(box(balls[b]), near);
-    for (std::size_t b = begin; b < end; ++b) islands.eachNear(balls[b], near, b - begin, [&](std::uint32_t k) { action(balls[b], k); });
+    for (std::size_t b = begin; b < end; ++b)
+      islands.eachNear(balls[b], near, b - begin, [&](std::uint32_t k) { action(balls[b], k); });
   }
 }
 
-void lookForNext(const WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* balls, std::size_t count)
+void lookForNext(const WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* balls,
+                 std::size_t count)
 {
-  eachNearOf(balls, count, world.islands, window.work->near,
-             [&](std::uint32_t i) { return boxAhead(world.balls[i], window.end, window.outlook); },
-             [&](std::uint32_t i, std::uint32_t k) { noteNext(world, window, i, k); });
+  eachNearOf(
+      balls, count, world.islands, window.work->near,
+      [&](std::uint32_t i) { return boxAhead(world.balls[i], window.end, window.outlook); },
+      [&](std::uint32_t i, std::uint32_t k) { noteNext(world, window, i, k); });
 }
 }  // namespace
 
@@ -95,13 +100,15 @@ void lookAtPair(const WorldWithWindows& world, const WorkerWindow& window, std::
 void lookAround(WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* balls, std::size_t count)
 {
   const IslandRecords& islands = world.islands;
-  eachNearOf(balls, count, islands, window.work->near, [&](std::uint32_t i) -> const CoarseBox& { return islands.busy(i).swept; },
-             [&](std::uint32_t i, std::uint32_t k)
-             {
-               if (!islands.isBusy(k) || islands.busy(k).root != islands.busy(i).root) return lookAtPair(world, window, i, k);
-               if (k < i && islands.busy(k).met) return;  // it looks for this one
-               noteNext(world, window, i, k);
-             });
+  eachNearOf(
+      balls, count, islands, window.work->near,
+      [&](std::uint32_t i) -> const CoarseBox& { return islands.busy(i).swept; },
+      [&](std::uint32_t i, std::uint32_t k)
+      {
+        if (!islands.isBusy(k) || islands.busy(k).root != islands.busy(i).root) return lookAtPair(world, window, i, k);
+        if (k < i && islands.busy(k).met) return;  // it looks for this one
+        noteNext(world, window, i, k);
+      });
 }
 
 void takeMeetings(IslandWork& list, const Glances& glances, double end)
@@ -143,6 +150,7 @@ void endIfManyChanged(WorldWithWindows& world, const WorkerWindow& window)
 {
   std::size_t added = 0;
   for (const IslandWork& work : world.islands.work) added += work.added.size();
-  if (static_cast<double>(added) > kMostChanges * static_cast<double>(world.balls.size())) world.islands.outlook.end = window.end;
+  if (static_cast<double>(added) > kMostChanges * static_cast<double>(world.balls.size()))
+    world.islands.outlook.end = window.end;
 }
 }  // namespace ping_pong

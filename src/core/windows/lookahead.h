@@ -19,14 +19,14 @@ class Glances;
 /// Two balls meet at this time if neither changes its path before. Whoever takes it looks again.
 struct Meeting
 {
-  float time;                                  ///< no later than that [s]
-  std::uint32_t first, second;                 ///< indices of balls
-  std::uint16_t first_version, second_version; ///< of their paths: the last bits
+  float time;                                   ///< no later than that [s]
+  std::uint32_t first, second;                  ///< indices of balls
+  std::uint16_t first_version, second_version;  ///< of their paths: the last bits
 };
 
 struct Outlook
 {
-  double start = 0.0, end = 0.0;   ///< [s]
+  double start = 0.0, end = 0.0;                              ///< [s]
   std::size_t near_pairs = 0, pair_searches = 0, events = 0;  ///< since it began
 };
 

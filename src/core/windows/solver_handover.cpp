@@ -2,22 +2,25 @@
 
 #include <algorithm>
 
-#include "resting/plan_path.h"
-#include "state/crowding.h"
 #include "events/predict.h"
 #include "evolve/flight.h"
+#include "resting/plan_path.h"
+#include "state/crowding.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr double kLongestStep = 2e-3; // of the pile, unless the scene's dt is shorter [s]
-constexpr float kFreeFor = 0.02f;     // without touching another ball, before a ball goes back [s]
+constexpr double kLongestStep = 2e-3;     // of the pile, unless the scene's dt is shorter [s]
+constexpr float kFreeFor = 0.02f;         // without touching another ball, before a ball goes back [s]
 constexpr std::uint32_t kLetGoEvery = 8;  // steps: whoever leaves makes the links of all others void
-constexpr double kFreeRoom = 0.25;    // and so much room to other balls, in radii
-constexpr double kNear = 5e-4;        // room to a ball of the pile that is no room [m]
+constexpr double kFreeRoom = 0.25;        // and so much room to other balls, in radii
+constexpr double kNear = 5e-4;            // room to a ball of the pile that is no room [m]
 
-double stepOf(const WorldWithWindows& world) { return std::min(world.scene.dt, kLongestStep); }
+double stepOf(const WorldWithWindows& world)
+{
+  return std::min(world.scene.dt, kLongestStep);
+}
 
 void join(WorldWithWindows& world, std::uint32_t i, double t)
 {
@@ -46,7 +49,8 @@ Box boxAround(const BallRecord& ball, double start, double end)
 
 // Appends who may come into this box in the window. The grid is as large as the free balls ask for: what is beyond it, it takes
 // to be at its border, so that what it lists may be far away.
-void listWhoMayMeet(const WorldWithWindows& world, const CoarseBox& box, double start, double end, std::vector<std::uint32_t>& list)
+void listWhoMayMeet(const WorldWithWindows& world, const CoarseBox& box, double start, double end,
+                    std::vector<std::uint32_t>& list)
 {
   const std::size_t before = list.size();
   world.islands.broad_phase.listOverlapping(box, list);
@@ -77,11 +81,14 @@ void spread(WorldWithWindows& world, double start, double end)
 bool roomAround(const Pile& pile, std::uint32_t slot)
 {
   if (pile.links_void) return false;
-  return !pile.anyLink(slot, [&](std::uint32_t l) {
-    const PairLink& link = pile.pairs[l];
-    const double room = (pile.movers[link.a].p - pile.movers[link.b].p).norm() - pile.radius(link.a) - pile.radius(link.b);
-    return room < kFreeRoom * pile.radius(slot);
-  });
+  return !pile.anyLink(slot,
+                       [&](std::uint32_t l)
+                       {
+                         const PairLink& link = pile.pairs[l];
+                         const double room = (pile.movers[link.a].p - pile.movers[link.b].p).norm() -
+                                             pile.radius(link.a) - pile.radius(link.b);
+                         return room < kFreeRoom * pile.radius(slot);
+                       });
 }
 
 void letGoWhoIsFree(WorldWithWindows& world, double t, double smooth_until)
@@ -133,7 +140,8 @@ void joinPile(WorldWithWindows& world, double start, double end)
   std::sort(islands.near.begin(), islands.near.end());
   islands.near.erase(std::unique(islands.near.begin(), islands.near.end()), islands.near.end());
   islands.near_boxes.clear();
-  for (const std::uint32_t other : islands.near) islands.near_boxes.emplace_back(boxAround(world.balls[other], start, end));
+  for (const std::uint32_t other : islands.near)
+    islands.near_boxes.emplace_back(boxAround(world.balls[other], start, end));
   for (const std::uint32_t other : islands.near) join(world, other, start);
   spread(world, start, end);
 }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "windows/solver_handover.h"
+#include "windows/free_flight.h"
 #include "windows/islands.h"
+#include "windows/solver_handover.h"
 #include "windows/union_find.h"
 #include "windows/window_contacts.h"
-#include "windows/free_flight.h"
 
 namespace ping_pong
 {
@@ -78,7 +78,8 @@ void begin(WorldWithWindows& world)
 bool worthAShorterWindow(const WorldWithWindows& world, const WorkerWindow& window)
 {
   const IslandRecords& islands = world.islands;
-  if (!(window.end - window.start > 1.5001 * WindowLength::kShortest)) return false;  // the next try would be as long: see runIslands()
+  if (!(window.end - window.start > 1.5001 * WindowLength::kShortest))
+    return false;  // the next try would be as long: see runIslands()
   const double limit = kTooManySearches * static_cast<double>(world.balls.size()) + kTooManySearches * kTooManySearches;
   std::size_t squares = 0;
   for (const IslandWork& work : islands.work) squares += work.squares;
@@ -124,7 +125,8 @@ void endWindow(WorldWithWindows& world, const WorkerWindow& window)
   takeContacts(world);
   if (ahead) endIfManyChanged(world, window);
   eachList(world, window,
-           [ahead](WorldWithWindows& its_world, const WorkerWindow&, IslandWork& list) { forgetIslands(its_world.islands, list, ahead); });
+           [ahead](WorldWithWindows& its_world, const WorkerWindow&, IslandWork& list)
+           { forgetIslands(its_world.islands, list, ahead); });
 }
 
 enum class Outcome
@@ -186,7 +188,8 @@ double endOfOutlook(const WorldWithWindows& world, double start, double window_e
 {
   const IslandRecords& islands = world.islands;
   if (seesAhead(world, window_end)) return islands.outlook.end;
-  const bool ahead = islands.glances.known(world.edits) && islands.length.next() >= kWindowsAhead * (window_end - start);
+  const bool ahead =
+      islands.glances.known(world.edits) && islands.length.next() >= kWindowsAhead * (window_end - start);
   return ahead ? start + islands.length.next() : window_end;
 }
 

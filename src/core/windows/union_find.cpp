@@ -67,22 +67,23 @@ void uniteOwn(IslandRecords& islands, IslandWork& work)
   work.roots.clear();
   work.apart.clear();
   work.squares = 0;
-  inTurn<kAhead>(work.met.data(), work.met.size(),
-                 [&islands](const auto& pair)
-                 {
-                   for (const std::uint32_t i : pair) islands.glances.fetchToChange(i);
-                 },
-                 [&](const auto& pair)
-                 {
-                   const auto [i, k] = pair;
-                   const bool own_i = islands.claim(work, i), own_k = islands.claim(work, k);
-                   const std::uint32_t a = own_i && own_k ? rootAmongOwn(islands, work, i) : IslandRecords::kNoEntry;
-                   const std::uint32_t b = a != IslandRecords::kNoEntry ? rootAmongOwn(islands, work, k) : IslandRecords::kNoEntry;
-                   if (b == IslandRecords::kNoEntry)
-                     work.apart.push_back(pair);
-                   else
-                     joinAndList(islands, work, a, b);
-                 });
+  inTurn<kAhead>(
+      work.met.data(), work.met.size(),
+      [&islands](const auto& pair)
+      {
+        for (const std::uint32_t i : pair) islands.glances.fetchToChange(i);
+      },
+      [&](const auto& pair)
+      {
+        const auto [i, k] = pair;
+        const bool own_i = islands.claim(work, i), own_k = islands.claim(work, k);
+        const std::uint32_t a = own_i && own_k ? rootAmongOwn(islands, work, i) : IslandRecords::kNoEntry;
+        const std::uint32_t b = a != IslandRecords::kNoEntry ? rootAmongOwn(islands, work, k) : IslandRecords::kNoEntry;
+        if (b == IslandRecords::kNoEntry)
+          work.apart.push_back(pair);
+        else
+          joinAndList(islands, work, a, b);
+      });
   work.met.clear();
   const auto joined = [&](std::uint32_t root) { return islands.busy(root).root != root; };
   work.roots.erase(std::remove_if(work.roots.begin(), work.roots.end(), joined), work.roots.end());
@@ -102,7 +103,8 @@ void uniteOthers(IslandRecords& islands)
     }
   if (joined.empty()) return;
   std::sort(joined.begin(), joined.end());
-  const auto isJoined = [&joined](std::uint32_t root) { return std::binary_search(joined.begin(), joined.end(), root); };
+  const auto isJoined = [&joined](std::uint32_t root)
+  { return std::binary_search(joined.begin(), joined.end(), root); };
   for (IslandWork& work : islands.work)
     work.roots.erase(std::remove_if(work.roots.begin(), work.roots.end(), isJoined), work.roots.end());
 }

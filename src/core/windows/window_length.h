@@ -40,7 +40,7 @@ public:
 
 private:
   double length_ = 1.0;
-  double lasted_ = 1.0;       // length of the last window that was done
+  double lasted_ = 1.0;  // length of the last window that was done
   double busy_ = 0.0;    // balls with an event in it, by second
   double rate_ = 0.0;    // of its work
   bool longer_ = true;   // where the search goes

@@ -8,9 +8,9 @@
 
 #include "detect/broad_phase.h"
 #include "events/event_loop.h"
+#include "solver/solver_state.h"
 #include "windows/ball_cache.h"
 #include "windows/lookahead.h"
-#include "solver/solver_state.h"
 #include "windows/window_length.h"
 
 namespace ping_pong
@@ -45,28 +45,29 @@ struct alignas(128) IslandWork : Records
   struct Busy
   {
     std::uint32_t ball;
-    std::uint32_t root, next;      ///< union-find over balls, and the circular list of an island's; the least index is the root
-    std::uint32_t size;            ///< of the island, if this is its root [balls]
-    float next_event;              ///< Glance::next of the ball after this window [s]
-    std::uint32_t saved, piece;    ///< entries in the lists of workers, or IslandRecords::kNoEntry; its last piece
-    std::uint32_t run : 30;        ///< of its island, the last one; 0 if the ball has been alone
-    std::uint32_t met : 1;         ///< it has hit a ball in that run
-    std::uint32_t listed : 1;      ///< the root of an island that has to run
-    CoarseBox swept;               ///< in this window and on the path that it is on, until the outlook ends
+    std::uint32_t root,
+        next;            ///< union-find over balls, and the circular list of an island's; the least index is the root
+    std::uint32_t size;  ///< of the island, if this is its root [balls]
+    float next_event;    ///< Glance::next of the ball after this window [s]
+    std::uint32_t saved, piece;  ///< entries in the lists of workers, or IslandRecords::kNoEntry; its last piece
+    std::uint32_t run : 30;      ///< of its island, the last one; 0 if the ball has been alone
+    std::uint32_t met : 1;       ///< it has hit a ball in that run
+    std::uint32_t listed : 1;    ///< the root of an island that has to run
+    CoarseBox swept;             ///< in this window and on the path that it is on, until the outlook ends
   };
 
   std::uint32_t worker = 0;
   std::vector<Busy> busy;
-  std::vector<BallRecord> saved;      ///< balls at the start of the window, of those that have changed since
-  std::vector<Piece> pieces;          ///< flown in this window, see encounters.h
-  std::vector<std::size_t> members;   ///< the island at work
-  std::vector<std::array<std::uint32_t, 2>> met;  ///< balls that are in each other's way,
+  std::vector<BallRecord> saved;     ///< balls at the start of the window, of those that have changed since
+  std::vector<Piece> pieces;         ///< flown in this window, see encounters.h
+  std::vector<std::size_t> members;  ///< the island at work
+  std::vector<std::array<std::uint32_t, 2>> met;    ///< balls that are in each other's way,
   std::vector<std::array<std::uint32_t, 2>> apart;  ///< and those of them that are not both in `busy`
-  std::vector<std::uint32_t> roots;   ///< of islands that have to run
-  std::size_t squares = 0;            ///< of the sizes of islands: all workers' together are those of all that have to run
+  std::vector<std::uint32_t> roots;                 ///< of islands that have to run
+  std::size_t squares = 0;  ///< of the sizes of islands: all workers' together are those of all that have to run
   std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see solver_handover.h
-  std::vector<std::uint32_t> thrown;  ///< balls that have left their paths
-  BroadPhase::Additions announced;  ///< their boxes, on their way to the grid
+  std::vector<std::uint32_t> thrown;   ///< balls that have left their paths
+  BroadPhase::Additions announced;     ///< their boxes, on their way to the grid
   NearList near;
 
   // What comes in the outlook. Each of these lists is gone through by one worker, this one or another.
@@ -125,7 +126,10 @@ struct IslandRecords
     return true;
   }
   /// Whether ball i, which is busy, is in the list of this worker; while others are claimed.
-  bool isOf(const IslandWork& its_work, std::size_t i) const { return glances.head(i).entry >> kIndexBits == its_work.worker; }
+  bool isOf(const IslandWork& its_work, std::size_t i) const
+  {
+    return glances.head(i).entry >> kIndexBits == its_work.worker;
+  }
   static IslandWork::Busy& addBusy(IslandWork& its_work, std::size_t i, float next)
   {
     const auto ball = static_cast<std::uint32_t>(i);
@@ -153,7 +157,7 @@ struct IslandRecords
     }
   };
 
-  WindowLength length;                     ///< of the next window
+  WindowLength length;  ///< of the next window
   Outlook outlook;
   std::size_t first_contact = 0;           ///< of this window, in the world's list
   std::uint32_t runs = 0;                  ///< of all islands that are not settled, in this window

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "base/law_counter.h"
-#include "methods/method.h"
-#include "ping_pong_sim/choose_method.h"
-#include "paddle/paddle_drive.h"
-#include "evolve/flight.h"
-#include "state/free_space.h"
-#include "methods/release_squeezed.h"
-#include "state/squeeze.h"
 #include "base/prefault.h"
+#include "evolve/flight.h"
+#include "methods/method.h"
+#include "methods/release_squeezed.h"
+#include "paddle/paddle_drive.h"
+#include "ping_pong_sim/choose_method.h"
+#include "state/free_space.h"
+#include "state/squeeze.h"
 #include "state/world_state.h"
 
 namespace ping_pong
@@ -26,8 +26,8 @@ constexpr double kLongestMotion = 5e-3;  // [s]
 constexpr std::size_t kContactsInATick = 256;
 constexpr std::size_t kContactsOfABall = 8;
 constexpr std::size_t kBallsWithContacts = 1000;  // of more balls only so many have a record of their own kept free
-constexpr std::size_t kBallsHeld = 1000;          // of more balls fewer roll over edges and round or turning surfaces at once
-constexpr std::size_t kManyBalls = 32;            // from here on a grid tells which balls may overlap
+constexpr std::size_t kBallsHeld = 1000;  // of more balls fewer roll over edges and round or turning surfaces at once
+constexpr std::size_t kManyBalls = 32;    // from here on a grid tells which balls may overlap
 
 std::string refuseState(const BallState& state)
 {
@@ -65,7 +65,8 @@ void setInMotion(BodyRecord& record)
 {
   const Body& body = record.body;
   if (body.kind != BodyKind::Kinematic) return;
-  record.motion.twist = {startWithin(body.limits.speed, body.twist.v), startWithin(body.limits.angular_speed, body.twist.w)};
+  record.motion.twist = {startWithin(body.limits.speed, body.twist.v),
+                         startWithin(body.limits.angular_speed, body.twist.w)};
   record.moving = !record.motion.still();
   if (!record.moving) return;
   record.command.mode = PaddleCommand::Mode::Velocity;
@@ -98,11 +99,11 @@ struct World::Impl : WorldWithWindows
 
   const MethodFunctions* functions = nullptr;  // of the method
   BallId next_id = 0;
-  double time_rest = 0.0;  // what rounding took from time: N ticks of h end at N h
+  double time_rest = 0.0;           // what rounding took from time: N ticks of h end at N h
   std::vector<Obstacle> obstacles;  // of the window; this and the next are kept, so that no step allocates
   std::vector<ShapePair> near_obstacles;
 
-  std::size_t space_for = 0;        // balls that there is memory for
+  std::size_t space_for = 0;  // balls that there is memory for
 
   void choose(Method its_method);
   void start();
@@ -292,8 +293,9 @@ void World::Impl::makeRoom()
     const bool piled = balls[i].ofSolver();
     BallState state = balls[i].stateAt(time);
     const double radius = balls[i].params().radius;
-    const bool free = piled ? !overlapsABody(*this, state.p_WB, radius)
-                            : overlapping[i] ? hasRoom(*this, state.p_WB, radius, i) : hasRoomAmongBodies(*this, state.p_WB, radius);
+    const bool free = piled            ? !overlapsABody(*this, state.p_WB, radius)
+                      : overlapping[i] ? hasRoom(*this, state.p_WB, radius, i)
+                                       : hasRoomAmongBodies(*this, state.p_WB, radius);
     if (free) continue;
     const BallState covered = state;
     const bool room = pushOut(*this, state.p_WB, radius, i);  // clear of all others: none is covered that was not
@@ -310,10 +312,13 @@ std::vector<char> World::Impl::ballsThatOverlap()
   std::vector<char> overlapping(balls.size(), balls.size() < kManyBalls);
   if (balls.size() < kManyBalls) return overlapping;
   BroadPhase& grid = islands.broad_phase;  // of the next window: its memory is there
-  grid.build(balls.size(), [&](std::size_t i) { return boxOf(balls[i], time, time); }, workers);
-  grid.eachPair([&](std::uint32_t a, std::uint32_t b) {
-    if (spheresOverlap(balls[a], balls[b], time)) overlapping[a] = overlapping[b] = true;
-  });
+  grid.build(
+      balls.size(), [&](std::size_t i) { return boxOf(balls[i], time, time); }, workers);
+  grid.eachPair(
+      [&](std::uint32_t a, std::uint32_t b)
+      {
+        if (spheresOverlap(balls[a], balls[b], time)) overlapping[a] = overlapping[b] = true;
+      });
   return overlapping;
 }
 
@@ -339,10 +344,16 @@ void World::Impl::countTroubles()
   }
 }
 
-World::World(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene))) { impl_->start(); }
+World::World(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene)))
+{
+  impl_->start();
+}
 World::World(Scene scene) : World(std::make_shared<const Scene>(std::move(scene))) {}
 
-World::World(const World& other) : impl_(std::make_unique<Impl>(other.impl_->loaded)) { impl_->become(*other.impl_); }
+World::World(const World& other) : impl_(std::make_unique<Impl>(other.impl_->loaded))
+{
+  impl_->become(*other.impl_);
+}
 
 World& World::operator=(const World& other)
 {
@@ -374,14 +385,35 @@ StepStatus World::advance(double duration)
   return world.status;
 }
 
-double World::time() const { return impl_->time; }
-const Scene& World::scene() const { return impl_->scene; }
-Method World::method() const { return impl_->method; }
-const std::vector<Contact>& World::contacts() const { return impl_->contacts; }
-void World::keepContacts(bool keep) { impl_->keep_contacts = keep; }
+double World::time() const
+{
+  return impl_->time;
+}
+const Scene& World::scene() const
+{
+  return impl_->scene;
+}
+Method World::method() const
+{
+  return impl_->method;
+}
+const std::vector<Contact>& World::contacts() const
+{
+  return impl_->contacts;
+}
+void World::keepContacts(bool keep)
+{
+  impl_->keep_contacts = keep;
+}
 
-std::size_t World::ballCount() const { return impl_->balls.size(); }
-BallId World::ballId(std::size_t index) const { return impl_->balls[index].id; }
+std::size_t World::ballCount() const
+{
+  return impl_->balls.size();
+}
+BallId World::ballId(std::size_t index) const
+{
+  return impl_->balls[index].id;
+}
 
 std::size_t World::findBall(BallId id) const
 {
@@ -391,8 +423,14 @@ std::size_t World::findBall(BallId id) const
   return found != balls.end() && found->id == id ? static_cast<std::size_t>(found - balls.begin()) : kNone;
 }
 
-const BallParams& World::ballParams(std::size_t index) const { return impl_->balls[index].params(); }
-BallState World::ballState(std::size_t index) const { return impl_->balls[index].stateAt(impl_->time); }
+const BallParams& World::ballParams(std::size_t index) const
+{
+  return impl_->balls[index].params();
+}
+BallState World::ballState(std::size_t index) const
+{
+  return impl_->balls[index].stateAt(impl_->time);
+}
 
 bool World::resting(std::size_t index) const
 {
@@ -407,7 +445,10 @@ double World::restingSince(std::size_t index) const
   return ball.supports.none() && !ball.asleep() ? std::nan("") : ball.supports.since();
 }
 
-std::size_t World::bodyCount() const { return impl_->bodies.size(); }
+std::size_t World::bodyCount() const
+{
+  return impl_->bodies.size();
+}
 
 std::size_t World::findBody(const std::string& name) const
 {
@@ -416,7 +457,10 @@ std::size_t World::findBody(const std::string& name) const
   return kNone;
 }
 
-const Body& World::body(std::size_t index) const { return impl_->bodies[index].body; }
+const Body& World::body(std::size_t index) const
+{
+  return impl_->bodies[index].body;
+}
 
 Pose World::bodyPose(std::size_t index) const
 {
@@ -430,7 +474,10 @@ Twist World::bodyTwist(std::size_t index) const
   return motion.twistAt(impl_->time - motion.start);
 }
 
-const PaddleCommand& World::bodyCommand(std::size_t index) const { return impl_->bodies[index].command; }
+const PaddleCommand& World::bodyCommand(std::size_t index) const
+{
+  return impl_->bodies[index].command;
+}
 
 Totals World::totals() const
 {
@@ -518,5 +565,8 @@ Refusal World::setBodyPose(std::size_t body, const Pose& pose)
   return {};
 }
 
-void World::reset() { impl_->start(); }
+void World::reset()
+{
+  impl_->start();
+}
 }  // namespace ping_pong
