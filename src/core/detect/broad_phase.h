@@ -51,15 +51,7 @@ public:
   void eachPairs(std::size_t begin, std::size_t end, const Ahead& ahead, const Action& action) const;
   /// Calls action(a, b) with every two of all.
   template <class Action>
-  void eachPair(const Action& action) const
-  {
-    eachPairs(
-        0, boxes_, [](std::uint32_t, std::uint32_t) {},
-        [&action](const Pair* pairs, std::size_t count)
-        {
-          for (std::size_t p = 0; p < count; ++p) action(pairs[p][0], pairs[p][1]);
-        });
-  }
+  void eachPair(const Action& action) const;
 
   /// What add() needs to know of boxes, by parts of the grid.
   using Additions = std::vector<std::vector<Addition>>;

@@ -193,4 +193,15 @@ void BroadPhase::listOverlapping(const AnyBox& box, std::vector<std::uint32_t>& 
   takeFromCells(extent, take);
   takeFromLists(extent, take);
 }
+
+template <class Action>
+void BroadPhase::eachPair(const Action& action) const
+{
+  eachPairs(
+      0, boxes_, [](std::uint32_t, std::uint32_t) {},
+      [&action](const Pair* pairs, std::size_t count)
+      {
+        for (std::size_t p = 0; p < count; ++p) action(pairs[p][0], pairs[p][1]);
+      });
+}
 }  // namespace ping_pong

@@ -8,6 +8,9 @@
 
 namespace ping_pong
 {
+/// A ball that does not leave a sphere of this radius about its anchor stays in its place, and may fall asleep there [m].
+inline constexpr float kPlace = 1e-4f;
+
 /// Where a ball is and how it moves: what the search for impacts needs. One cache line.
 struct alignas(64) Mover
 {

@@ -16,9 +16,6 @@
 
 namespace ping_pong
 {
-/// A ball that does not leave a sphere of this radius about its anchor stays in its place, and may fall asleep there [m].
-inline constexpr float kPlace = 1e-4f;
-
 /// What balls of one make have in common.
 struct BallKind
 {
