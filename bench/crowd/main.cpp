@@ -27,7 +27,7 @@ struct Options
   std::string out, commit = "unknown";
   std::vector<std::string> scenes;  // none: all
   std::string variant;              // of ours, only this one; empty: all, and others
-  double balls = 0.0;  // only this number; 0: a row of them
+  double balls = 0.0;               // only this number; 0: a row of them
   int rounds = 8;
   bool quick = false;
   bool companion = false;  // `exact` beside another world, too; runs with near and with far processors apart
@@ -57,7 +57,8 @@ Options parse(int argc, char** argv)
       options.rounds = std::stoi(argv[++i]);
     else
       throw std::runtime_error(std::string(argv[i]) +
-                               ": expected --quick, --companion, --scene NAME, --variant NAME, --balls N, --rounds N, --out FILE or --commit NAME");
+                               ": expected --quick, --companion, --scene NAME, --variant NAME, --balls N, --rounds N, "
+                               "--out FILE or --commit NAME");
   }
   if (options.out.empty()) throw std::runtime_error("--out: missing: expected the CSV file to write");
   return options;
@@ -110,7 +111,10 @@ struct Measured
   Cores cores = Cores::Any;
 
   /// Of a ball and simulated second; 0 if it was not done [us].
-  double cost() const { return result.done ? 1e6 * time.total() / (result.simulated * static_cast<double>(balls)) : 0.0; }
+  double cost() const
+  {
+    return result.done ? 1e6 * time.total() / (result.simulated * static_cast<double>(balls)) : 0.0;
+  }
 };
 
 const char* nameOf(Cores cores)
@@ -123,18 +127,23 @@ void writeRow(std::FILE* file, const Measured& measured)
   const CrowdResult& r = measured.result;
   const CrowdPoint& point = measured.point;
   const double n = static_cast<double>(measured.balls);
-  std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%zu,%016llx,%s\n", measured.scene->name.c_str(),
-               point.engine->name.c_str(), (point.variant + (point.companion ? "_with_companion" : "")).c_str(), point.variant == "exact" ? 0.0 : point.step, point.threads, measured.balls, r.done,
-               r.start, r.simulated, measured.cost(), r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap,
-               r.escaped, 1e6 * measured.time.mostOf(kSecond) / n, r.rest_after, measured.time.runs(), static_cast<unsigned long long>(r.hash), nameOf(measured.cores));
+  std::fprintf(file, "%s,%s,%s,%g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%g,%.6g,%.6g,%zu,%016llx,%s\n",
+               measured.scene->name.c_str(), point.engine->name.c_str(),
+               (point.variant + (point.companion ? "_with_companion" : "")).c_str(),
+               point.variant == "exact" ? 0.0 : point.step, point.threads, measured.balls, r.done, r.start, r.simulated,
+               measured.cost(), r.contacts / n, r.events / n, r.bytes / n, r.energy_change, r.overlap, r.escaped,
+               1e6 * measured.time.mostOf(kSecond) / n, r.rest_after, measured.time.runs(),
+               static_cast<unsigned long long>(r.hash), nameOf(measured.cores));
 }
 
 void tell(const Measured& measured)
 {
   std::fprintf(stderr, "%s %s %s %g, %zu threads, %zu balls, run %zu: %.4g us per ball and simulated second%s\n",
-               measured.scene->name.c_str(), measured.point.engine->name.c_str(), measured.point.variant.c_str(), measured.point.step,
-               measured.point.threads, measured.balls, measured.time.runs(), measured.cost(),
-               !measured.result.done ? ", not done" : measured.point.companion ? ", beside another world" : "");
+               measured.scene->name.c_str(), measured.point.engine->name.c_str(), measured.point.variant.c_str(),
+               measured.point.step, measured.point.threads, measured.balls, measured.time.runs(), measured.cost(),
+               !measured.result.done      ? ", not done"
+               : measured.point.companion ? ", beside another world"
+                                          : "");
 }
 
 /// Once more: as many ticks as the first time.
@@ -145,7 +154,8 @@ CrowdRun measure(Measured& measured, const CrowdEffort& effort)
   if (first) measured.result = run.result;
   if (run.result.done)
   {
-    if (run.result.hash != measured.result.hash) throw std::runtime_error(measured.scene->name + ": two runs ended in different states");
+    if (run.result.hash != measured.result.hash)
+      throw std::runtime_error(measured.scene->name + ": two runs ended in different states");
     measured.time.add(run.ticks);
   }
   if (first || run.result.done) tell(measured);
@@ -176,7 +186,8 @@ std::vector<Measured> firstRound(const Options& options, const CrowdEffort& effo
         if (!point.engine->refuse(crowdOf(scene, balls), point.variant).empty()) break;
         Measured& measured = all.emplace_back(Measured{&scene, point, balls, {}, QuietTime(settled)});
         measure(measured, effort);
-        if (!measured.result.done || options.balls > 0.0 || 4.0 * measured.result.wall > effort.most) break;  // more would take too long
+        if (!measured.result.done || options.balls > 0.0 || 4.0 * measured.result.wall > effort.most)
+          break;  // more would take too long
       }
     }
   }
@@ -194,7 +205,8 @@ std::vector<Measured> measureApart(std::vector<Measured>& all, const Options& op
 {
   std::vector<Measured> apart;
   for (const Measured& measured : all)
-    for (const Cores cores : {Cores::Near, Cores::Far}) apart.push_back({measured.scene, measured.point, measured.balls, measured.result, QuietTime(), cores});
+    for (const Cores cores : {Cores::Near, Cores::Far})
+      apart.push_back({measured.scene, measured.point, measured.balls, measured.result, QuietTime(), cores});
   Cores before = coresNow();
   for (int round = 0; round < options.rounds; ++round)
     for (std::size_t k = 0; k < all.size(); ++k)
@@ -204,7 +216,9 @@ std::vector<Measured> measureApart(std::vector<Measured>& all, const Options& op
       if (run.result.done && after == before) apart[2 * k + (after == Cores::Far)].time.add(run.ticks);
       before = after;
     }
-  apart.erase(std::remove_if(apart.begin(), apart.end(), [](const Measured& measured) { return measured.time.runs() == 0; }), apart.end());
+  apart.erase(
+      std::remove_if(apart.begin(), apart.end(), [](const Measured& measured) { return measured.time.runs() == 0; }),
+      apart.end());
   return apart;
 }
 
@@ -213,7 +227,8 @@ void measureAgain(std::vector<Measured>& all, const Options& options, const Crow
 {
   for (int round = 1; round < options.rounds; ++round)
     for (Measured& measured : all)
-      if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled()) measure(measured, effort);
+      if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled())
+        measure(measured, effort);
 }
 
 void measureAll(const Options& options)
@@ -228,10 +243,12 @@ void measureAll(const Options& options)
     all = measureApart(all, options, effort);
   else if (!options.quick)
     measureAgain(all, options, effort);
-  std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(), from.compiler.c_str(),
-               from.commit.c_str(), load.c_str());
-  std::fprintf(file, "scene,engine,variant,step,threads,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"
-                     "overlap_m,escaped,most_cost_us,rest_after_s,runs,hash,cores\n");
+  std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(),
+               from.compiler.c_str(), from.commit.c_str(), load.c_str());
+  std::fprintf(
+      file,
+      "scene,engine,variant,step,threads,balls,done,start_s,simulated_s,cost_us,contacts,events,bytes,energy_change,"
+      "overlap_m,escaped,most_cost_us,rest_after_s,runs,hash,cores\n");
   for (const Measured& measured : all) writeRow(file, measured);
   std::fclose(file);
 }

@@ -1,8 +1,8 @@
 // Runs a scene without ROS: ball states to standard output, a summary to standard error.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cinttypes>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -68,7 +68,8 @@ Scene prepareScene(const SimulateOptions& options)
 
 std::vector<TimedCommand> prepareCommands(const SimulateOptions& options, const Scene& scene)
 {
-  return options.commands_path.empty() ? std::vector<TimedCommand>() : readCommands(options.commands_path, scene.bodies);
+  return options.commands_path.empty() ? std::vector<TimedCommand>()
+                                       : readCommands(options.commands_path, scene.bodies);
 }
 
 /// What has just been read shall not be written over, by whatever name.
@@ -201,7 +202,8 @@ void printSummary(const SimulateOptions& options, const Run& run)
 ExitStatus simulate(const SimulateOptions& options)
 {
   World world(prepareScene(options));
-  CommandQueue commands(prepareCommands(options, world.scene()));  // checked to the last line before anything is written
+  CommandQueue commands(
+      prepareCommands(options, world.scene()));  // checked to the last line before anything is written
   if (!options.contacts_path.empty()) checkIsNoInput(options.contacts_path, options, world.scene());
   CsvFile balls;
   std::unique_ptr<CsvFile> contacts;

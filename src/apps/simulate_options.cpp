@@ -12,12 +12,18 @@ namespace
 constexpr double kMaxRows = 1e12;  ///< far beyond any disk, and rows stay exactly countable
 
 const option kOptions[] = {
-    {"duration", required_argument, nullptr, 'd'}, {"rate", required_argument, nullptr, 'r'},
-    {"method", required_argument, nullptr, 'm'},   {"dt", required_argument, nullptr, 't'},
-    {"tolerance", required_argument, nullptr, 'e'}, {"seed", required_argument, nullptr, 's'},
-    {"balls", required_argument, nullptr, 'b'},    {"threads", required_argument, nullptr, 'n'},
-    {"contacts", required_argument, nullptr, 'c'}, {"commands", required_argument, nullptr, 'k'},
-    {"help", no_argument, nullptr, 'h'},           {nullptr, 0, nullptr, 0},
+    {"duration", required_argument, nullptr, 'd'},
+    {"rate", required_argument, nullptr, 'r'},
+    {"method", required_argument, nullptr, 'm'},
+    {"dt", required_argument, nullptr, 't'},
+    {"tolerance", required_argument, nullptr, 'e'},
+    {"seed", required_argument, nullptr, 's'},
+    {"balls", required_argument, nullptr, 'b'},
+    {"threads", required_argument, nullptr, 'n'},
+    {"contacts", required_argument, nullptr, 'c'},
+    {"commands", required_argument, nullptr, 'k'},
+    {"help", no_argument, nullptr, 'h'},
+    {nullptr, 0, nullptr, 0},
 };
 
 [[noreturn]] void fail(const std::string& option, const std::string& value, const std::string& expected)
@@ -56,7 +62,8 @@ std::uint64_t seedFrom(const std::string& text)
 std::size_t countFrom(const std::string& option, const std::string& text, std::size_t most)
 {
   std::uint64_t count = 0;
-  if (!parseInteger(text, count) || count < 1 || count > most) fail(option, text, "an integer from 1 to " + std::to_string(most));
+  if (!parseInteger(text, count) || count < 1 || count > most)
+    fail(option, text, "an integer from 1 to " + std::to_string(most));
   return count;
 }
 
@@ -130,7 +137,9 @@ const std::string kSimulateHelp =
     "error. SI units, radians; frame `world`.\n"
     "  --duration T      simulated time [s], required\n"
     "  --rate R          rows per second and ball [Hz], default 100; row k is at k / R\n"
-    "  --method M        instead of the scene's: " + methodNames() + "\n"
+    "  --method M        instead of the scene's: " +
+    methodNames() +
+    "\n"
     "  --dt H            longest step of all methods but `exact` [s], instead of the scene's\n"
     "  --tolerance E     position error that `exact` may have after a rally [m], instead of the scene's\n"
     "  --seed N          of random patterns, instead of the scene's\n"

@@ -20,16 +20,16 @@ public:
 struct SimulateOptions
 {
   std::string scene_path;
-  std::optional<double> duration;     ///< required [s]
-  double rate = 100.0;                ///< rows per simulated second and ball [Hz]
-  std::optional<Method> method;       ///< instead of the scene's
-  std::optional<double> dt;           ///< instead of the scene's [s]
-  std::optional<double> tolerance;    ///< instead of the scene's [m]
-  std::optional<std::uint64_t> seed;  ///< instead of the scene's
-  std::optional<std::size_t> balls;   ///< of the random pattern, instead of the scene's
-  std::optional<std::size_t> threads; ///< instead of the scene's
-  std::string contacts_path;          ///< empty: contacts are not written
-  std::string commands_path;          ///< empty: paddles have no commands
+  std::optional<double> duration;      ///< required [s]
+  double rate = 100.0;                 ///< rows per simulated second and ball [Hz]
+  std::optional<Method> method;        ///< instead of the scene's
+  std::optional<double> dt;            ///< instead of the scene's [s]
+  std::optional<double> tolerance;     ///< instead of the scene's [m]
+  std::optional<std::uint64_t> seed;   ///< instead of the scene's
+  std::optional<std::size_t> balls;    ///< of the random pattern, instead of the scene's
+  std::optional<std::size_t> threads;  ///< instead of the scene's
+  std::string contacts_path;           ///< empty: contacts are not written
+  std::string commands_path;           ///< empty: paddles have no commands
   bool help = false;
 };
 

@@ -54,8 +54,10 @@ bool checkFlights(const std::string& data)
   const std::vector<FlightScore> vacuum = scoreFlights(flights, choiceNamed(choices, "vacuum"), true);
   bool good = within("default: misfit before the bounce / noise", medianBefore(standard, true), 1.5);
   good &= within("default: misfit through the bounce / noise", medianThrough(standard, true), 3.0);
-  good &= within("default against vacuum: before the bounce, ratio", medianBefore(standard, true) / medianBefore(vacuum, true), 0.2);
-  good &= within("default against vacuum: through the bounce, ratio", medianThrough(standard, true) / medianThrough(vacuum, true), 0.2);
+  good &= within("default against vacuum: before the bounce, ratio",
+                 medianBefore(standard, true) / medianBefore(vacuum, true), 0.2);
+  good &= within("default against vacuum: through the bounce, ratio",
+                 medianThrough(standard, true) / medianThrough(vacuum, true), 0.2);
   return good;
 }
 

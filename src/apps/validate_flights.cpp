@@ -99,8 +99,8 @@ double medianThrough(const std::vector<FlightScore>& scores, bool only_checked)
 void writeFlights(const std::vector<Flight>& flights, const std::string& out)
 {
   CsvFile table(out + "/flights.csv"), each(out + "/flights_each.csv"), residuals(out + "/residuals.csv");
-  for (const char* head : {"model", "what", "before", "before_no_spin", "before_spin", "through", "before_checked",
-                           "through_checked"})
+  for (const char* head :
+       {"model", "what", "before", "before_no_spin", "before_spin", "through", "before_checked", "through_checked"})
     table.text(head);
   table.endRow();
   for (const char* head : {"model", "flight", "checked", "before_m", "through_m", "noise_m"}) each.text(head);
@@ -144,7 +144,8 @@ void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::strin
   CsvFile table(out + "/constants.csv");
   for (const char* head : {"C_D_without_spin", "half_at", "e", "e_t", "before", "through"}) table.text(head);
   table.endRow();
-  const auto row = [&](double C_D, double half_at, double e, double e_t) {
+  const auto row = [&](double C_D, double half_at, double e, double e_t)
+  {
     FlightChoice model;
     model.forces = defaultForces();
     model.forces.drag_law.without_spin = C_D;
@@ -175,7 +176,8 @@ void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::strin
     model.forces.drag_law = DragLaw::constant(C_D);
     std::vector<double> ratios;
     for (const Flight& flight : half)
-      if (flight.no_spin) ratios.push_back(fitFlight(flight, samplesBeforeBounce(flight), model, false).misfit / flight.noise);
+      if (flight.no_spin)
+        ratios.push_back(fitFlight(flight, samplesBeforeBounce(flight), model, false).misfit / flight.noise);
     still.number(C_D);
     still.number(medianOf(ratios));
     still.endRow();

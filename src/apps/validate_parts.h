@@ -15,9 +15,9 @@ double medianOf(std::vector<double> values);
 struct RubberScore
 {
   RubberChoice choice;
-  double speed = 0.0;                 ///< rms error of a velocity component [m/s]
-  double spin = 0.0;                  ///< rms error [rad/s]
-  std::vector<BallState> predicted;   ///< in the order of the measurements
+  double speed = 0.0;                ///< rms error of a velocity component [m/s]
+  double spin = 0.0;                 ///< rms error [rad/s]
+  std::vector<BallState> predicted;  ///< in the order of the measurements
 };
 
 std::vector<RubberScore> scoreRubber(const std::vector<Rebound>& measured);

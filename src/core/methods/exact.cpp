@@ -64,7 +64,7 @@ void reserveExact(WorldWithWindows& world, std::size_t balls)
 {
   if (balls < 2) return;
   world.islands.reserve(balls, world.workers.count());
-  reservePile(world.pile, balls, !world.scene.forces.dependOnVelocity());
+  reservePile(world, balls);
 }
 
 void startExact(WorldWithWindows& world)

@@ -4,7 +4,7 @@ namespace ping_pong
 {
 void reserveImpulse(WorldWithWindows& world, std::size_t balls)
 {
-  reservePile(world.pile, balls, !world.scene.forces.dependOnVelocity());
+  reservePile(world, balls);
 }
 
 void startImpulse(WorldWithWindows& world)

@@ -102,7 +102,7 @@ bool offSurfaces(const WorldState& world, const BallRecord& ball, const BallStat
 }
 
 // A support that the ball is in or moves into; one that it moves away from is left as it is.
-void pushOut(const Gap& gap, double keep_speed, BallState& ball)
+void pushOff(const Gap& gap, double keep_speed, BallState& ball)
 {
   if (!touches(gap, keep_speed)) return;
   ball.p_WB -= std::min(gap.gap, 0.0) * gap.n_W;
@@ -131,7 +131,7 @@ void projectOnAll(const WorldState& world, const BallRecord& ball, BallState& st
   {
     if (!offSurfaces(world, ball, state, t, normals, off)) return;
     for (std::size_t i = 0; i < ball.supports.count(); ++i)
-      pushOut(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball), state);
+      pushOff(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball), state);
   }
 }
 

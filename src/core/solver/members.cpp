@@ -105,9 +105,10 @@ void reserveShare(PileShare& share, std::size_t balls)
 }
 }  // namespace
 
-void reservePile(Pile& pile, std::size_t balls, bool constant_forces)
+void reservePile(WorldWithSolver& world, std::size_t balls)
 {
-  eachSlotList(pile, !constant_forces, [balls](auto& list) { list.reserve(balls); });
+  Pile& pile = world.pile;
+  eachSlotList(pile, world.scene.forces.dependOnVelocity(), [balls](auto& list) { list.reserve(balls); });
   pile.kinds.reserve(kKinds);
   pile.pairs.reserve(kPairs * balls);
   pile.pushes.reserve(kPairs * balls);

@@ -215,7 +215,7 @@ void disturbPile(WorldWithSolver& world);
 void restatePile(WorldWithSolver& world, std::uint32_t ball);
 void clearPile(Pile& pile);
 /// Takes the memory for so many balls now, not while the world moves on.
-void reservePile(Pile& pile, std::size_t balls, bool constant_forces);
+void reservePile(WorldWithSolver& world, std::size_t balls);
 /// Turns the ball by what it has turned since it was last told: closed form, without trigonometry where that is little.
 void takeTurn(Pile& pile, std::size_t slot);
 /// Puts the state of a ball into its record.

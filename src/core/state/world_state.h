@@ -68,7 +68,7 @@ struct BallRecord
   bool overflows : 1;         ///< a step of fixed length from here has no finite end: the path goes straight on
   std::uint16_t crush = 0;    ///< contacts in even quicker succession than a streak's
   std::uint8_t streak = 0;    ///< contacts in quick succession, see collapse_guard.h
-  std::uint8_t crowding = 0;  ///< contacts with other balls since `crowded_since`, see solver_handover.h
+  std::uint8_t crowding = 0;  ///< contacts with other balls since `crowded_since`, see crowding.h
   Pooled<Passing> passing;
   Supports supports;
   [[no_unique_address]] Segment path;
@@ -174,7 +174,7 @@ struct Records
   StepStatus status;
   std::size_t pair_searches = 0;  ///< of balls with balls, in this window
   std::size_t near_pairs = 0;     ///< of balls whose boxes overlap, in this window
-  bool crowding = false;          ///< a ball has met others too often, see solver_handover.h
+  bool crowding = false;          ///< a ball has met others too often, see crowding.h
   bool any_squeezed = false;      ///< a ball may be
 };
 
