@@ -54,6 +54,8 @@ foreach(name
     shipped_scenes
     urdf_loader
     simulate
+    command_line
+    progress
     command_file
     paddle_drive
     paddle_blocking
@@ -122,6 +124,9 @@ foreach(name allocations pooled)
 endforeach()
 
 target_sources(${PROJECT_NAME}_test_command_file PRIVATE src/apps/command_file.cpp src/apps/line_reader.cpp)
+foreach(name command_line progress)
+  target_link_libraries(${PROJECT_NAME}_test_${name} ${PROJECT_NAME}_command_line)
+endforeach()
 target_sources(${PROJECT_NAME}_test_quiet_time PRIVATE bench/crowd/quiet_time.cpp)
 target_include_directories(${PROJECT_NAME}_test_quiet_time PRIVATE bench/crowd)
 
