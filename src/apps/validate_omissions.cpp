@@ -26,7 +26,7 @@ struct Shot
 const std::vector<Shot>& shots()
 {
   static const std::vector<Shot> list = {
-      {"serve 5 m/s, no spin", 5.0, 0.0, 0.30, 2.00},      {"serve 5 m/s, 40 rev/s back", 5.0, -40.0, 0.30, 2.00},
+      {"serve 5 m/s, no spin", 5.0, 0.0, 0.30, 2.00},           {"serve 5 m/s, 40 rev/s back", 5.0, -40.0, 0.30, 2.00},
       {"drive 12 m/s, 100 rev/s top", 12.0, 100.0, 0.30, 2.70}, {"smash 25 m/s, no spin", 25.0, 0.0, 0.40, 2.70},
       {"smash 25 m/s, 40 rev/s top", 25.0, 40.0, 0.40, 2.70},
   };
@@ -44,7 +44,8 @@ struct Change
 std::vector<Change> changes()
 {
   std::vector<Change> list;
-  const auto air = [&](const std::string& name, void (*change)(Forces&)) {
+  const auto air = [&](const std::string& name, void (*change)(Forces&))
+  {
     Forces forces = completeForces();
     change(forces);
     list.push_back({name, forces, defaultTable(), false});
@@ -55,11 +56,13 @@ std::vector<Change> changes()
   air("complete", [](Forces&) {});
   air("no drag", [](Forces& f) { f.drag = false; });
   air("no Magnus", [](Forces& f) { f.magnus = false; });
-  air("vacuum", [](Forces& f) {
-    const Vector3d g = f.gravity;
-    f = Forces();
-    f.gravity = g;
-  });
+  air("vacuum",
+      [](Forces& f)
+      {
+        const Vector3d g = f.gravity;
+        f = Forces();
+        f.gravity = g;
+      });
   air("C_L = S/(1+2S)", [](Forces& f) { f.lift_law.slope = 1.0, f.lift_law.saturation = 2.0; });
   air("C_L = .6 S", [](Forces& f) { f.lift_law.kind = LiftLaw::Kind::Linear, f.lift_law.slope = 0.6; });
   air("C_L = 1.33 S", [](Forces& f) { f.lift_law.kind = LiftLaw::Kind::Linear, f.lift_law.slope = 1.33; });
@@ -69,11 +72,14 @@ std::vector<Change> changes()
   air("no buoyancy", [](Forces& f) { f.buoyancy = false; });
   air("no added mass", [](Forces& f) { f.added_mass = false; });
   air("no spin decay", [](Forces& f) { f.spin_decay = 0.0; });
-  air("none of the three", [](Forces& f) {
-    f.buoyancy = f.added_mass = false;
-    f.spin_decay = 0.0;
-  });
-  const auto table_of = [](double friction, double tangential) {
+  air("none of the three",
+      [](Forces& f)
+      {
+        f.buoyancy = f.added_mass = false;
+        f.spin_decay = 0.0;
+      });
+  const auto table_of = [](double friction, double tangential)
+  {
     Surface law = defaultTable();
     law.friction = friction;
     law.tangential_restitution = tangential;
@@ -122,7 +128,8 @@ BallState launch(const Shot& shot, double angle)
 // The lowest launch that lands where it shall under complete forces.
 BallState aimed(const Shot& shot)
 {
-  const auto miss = [&](double angle) {
+  const auto miss = [&](double angle)
+  {
     const std::vector<Contact> bounces =
         bouncesOf(sceneOf(completeForces(), defaultTable(), launch(shot, angle), 1e-8), 1);
     return bounces.empty() ? 1.0 : bounces[0].p_WC.x() - shot.reach;
@@ -143,7 +150,7 @@ class Stopwatch
 {
 public:
   Stopwatch(const Forces& forces, const BallState& start, double duration, double tolerance)
-    : world_(sceneOf(forces, defaultTable(), start, tolerance)), start_(start), duration_(0.95 * duration)
+      : world_(sceneOf(forces, defaultTable(), start, tolerance)), start_(start), duration_(0.95 * duration)
   {
   }
   void run()
@@ -183,7 +190,8 @@ std::vector<double> medianTimes(const std::vector<Change>& list, const BallState
 void writeShots(const std::string& out)
 {
   CsvFile file(out + "/omissions.csv");
-  for (const char* head : {"shot", "change", "landing_cm", "second_bounce_cm", "time_ns", "time_ns_1mm"}) file.text(head);
+  for (const char* head : {"shot", "change", "landing_cm", "second_bounce_cm", "time_ns", "time_ns_1mm"})
+    file.text(head);
   file.endRow();
   const std::vector<Change> list = changes();
   for (const Shot& shot : shots())
@@ -222,9 +230,8 @@ void writeLaunches(const std::vector<Launch>& launches, const std::string& out)
       for (const Launch& launch : launches)
       {
         if (launch.kind != kind || launch.state.p_WB.z() < 0.02) continue;
-        const auto landing = [&](const Forces& forces) {
-          return bouncesOf(sceneOf(forces, defaultTable(), launch.state, 1e-7), 1);
-        };
+        const auto landing = [&](const Forces& forces)
+        { return bouncesOf(sceneOf(forces, defaultTable(), launch.state, 1e-7), 1); };
         const std::vector<Contact> truth = landing(completeForces()), other = landing(change.forces);
         if (!truth.empty() && !other.empty()) distances.push_back(100.0 * (truth[0].p_WC - other[0].p_WC).norm());
       }

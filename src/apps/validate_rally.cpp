@@ -11,9 +11,9 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kRally = 1.2;   // [s]
+constexpr double kRally = 1.2;  // [s]
 constexpr int kRounds = 61;
-constexpr int kRallies = 20;     // in a round
+constexpr int kRallies = 20;  // in a round
 
 Scene inVacuum(Scene scene)
 {
