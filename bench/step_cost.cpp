@@ -24,9 +24,9 @@ void simulateOneSecond(benchmark::State& state, const std::string& file, Method 
     for (int i = 0; i < static_cast<int>(kDuration / kTick + 0.5); ++i) world.advance(kTick);
     benchmark::DoNotOptimize(world.ballState(0));
   }
-  state.counters["per ball"] = benchmark::Counter(kDuration * static_cast<double>(scene.balls.size()),
-                                                  benchmark::Counter::kIsIterationInvariantRate |
-                                                      benchmark::Counter::kInvert);
+  state.counters["per ball"] =
+      benchmark::Counter(kDuration * static_cast<double>(scene.balls.size()),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void registerAll()
@@ -42,6 +42,7 @@ void registerAll()
 int main(int argc, char** argv)
 {
   ping_pong::registerAll();
-  benchmark::Initialize(&argc, argv);
+  benchmark::Initialize(&argc, argv);  // the options are the library's; --help lists them
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
 }
