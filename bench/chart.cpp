@@ -6,8 +6,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "chart_options.h"
+#include "command_line.h"
 #include "error_run.h"
 #include "our_engine.h"
+#include "progress.h"
 #include "results_file.h"
 #include "time_run.h"
 
@@ -17,68 +20,6 @@ namespace
 {
 constexpr char kTooLong[] = "takes too long";
 constexpr double kPatience = 1.5;  // a point may take so many times what was expected at most
-
-constexpr char kUsage[] =
-    "usage: chart --out DIRECTORY [--quick] [--only SCENE] [--engine NAME] [--budget SECONDS]\n"
-    "             [--repeat SECONDS] [--commit TEXT] "
-    "[--list]\n"
-    "Measures the work-precision chart and writes one CSV file per scene into DIRECTORY, which must exist.\n"
-    "  --quick   few starts, short repeats, every tenth step: does it work?\n"
-    "  --budget  leaves out points whose error run takes longer; default 5\n"
-    "  --repeat  least time of one repeat of the timing; default 0.2\n"
-    "  --list    names of scenes and engines\n";
-
-struct Options
-{
-  std::string out, only, engine, commit = "unknown";
-  bool list = false;
-  Effort effort;
-};
-
-Effort quickEffort()
-{
-  Effort effort;
-  effort.most_starts = 4;
-  effort.decades_only = true;
-  effort.error_budget = 0.4;
-  effort.repeat_time = 2e-3;
-  effort.repeats = 3;
-  return effort;
-}
-
-Options optionsFrom(int argc, char** argv)
-{
-  Options options;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    const auto value = [&]() -> std::string
-    {
-      if (i + 1 == argc) throw std::invalid_argument(argument + ": expected a value");
-      return argv[++i];
-    };
-    if (argument == "--quick")
-      options.effort = quickEffort();
-    else if (argument == "--list")
-      options.list = true;
-    else if (argument == "--out")
-      options.out = value();
-    else if (argument == "--only")
-      options.only = value();
-    else if (argument == "--engine")
-      options.engine = value();
-    else if (argument == "--budget")
-      options.effort.error_budget = std::stod(value());
-    else if (argument == "--repeat")
-      options.effort.repeat_time = std::stod(value());
-    else if (argument == "--commit")
-      options.commit = value();
-    else
-      throw std::invalid_argument(argument + ": unknown argument\n" + kUsage);
-  }
-  if (options.out.empty() && !options.list) throw std::invalid_argument(kUsage);
-  return options;
-}
 
 bool isDecade(double step)
 {
@@ -136,29 +77,50 @@ void measureVariant(const ChartScene& chart, const std::vector<Start>& starts, c
 }
 
 void measureTimes(const ChartScene& chart, const std::vector<Start>& starts, const Effort& effort,
-                  std::vector<Row>& rows)
+                  std::vector<Row>& rows, const PartDone& done)
 {
   std::vector<Point> points;
   for (const Row& row : rows)
     if (row.refusal.empty()) points.push_back(row.point);
-  const std::vector<Cost> costs = measureCosts(chart, starts, points, effort);
+  const std::vector<Cost> costs = measureCosts(chart, starts, points, effort, done);
   std::size_t next = 0;
   for (Row& row : rows)
     if (row.refusal.empty()) row.cost = costs[next++];
 }
 
-void measureScene(const ChartScene& chart, const Options& options)
+std::vector<const EngineKind*> enginesOf(const ChartOptions& options)
+{
+  std::vector<const EngineKind*> engines;
+  for (const EngineKind& engine : engineKinds())
+    if (options.engine.empty() || options.engine == engine.name) engines.push_back(&engine);
+  return engines;
+}
+
+std::vector<Row> measureAllErrors(const ChartScene& chart, const std::vector<Start>& starts,
+                                  const ChartOptions& options, const PartDone& done)
+{
+  const std::vector<const EngineKind*> engines = enginesOf(options);
+  double variants = 0.0, measured = 0.0;
+  for (const EngineKind* engine : engines) variants += static_cast<double>(engine->variants.size());
+  std::vector<Row> rows;
+  for (const EngineKind* engine : engines)
+    for (const std::string& variant : engine->variants)
+    {
+      measureVariant(chart, starts, *engine, variant, options.effort, rows);
+      done(++measured / variants);
+    }
+  return rows;
+}
+
+/// Of one scene; how many points it has.
+/// @param done  errors and costs take about as long
+std::size_t measureScene(const ChartScene& chart, const ChartOptions& options, const PartDone& done)
 {
   const std::vector<Start> starts = startsOf(chart, options.effort);
-  std::vector<Row> rows;
-  for (const EngineKind& engine : engineKinds())
-    for (const std::string& variant : engine.variants)
-      if (options.engine.empty() || options.engine == engine.name)
-        measureVariant(chart, starts, engine, variant, options.effort, rows);
-  measureTimes(chart, starts, options.effort, rows);
+  std::vector<Row> rows = measureAllErrors(chart, starts, options, [&](double part) { done(0.5 * part); });
+  measureTimes(chart, starts, options.effort, rows, [&](double part) { done(0.5 + 0.5 * part); });
   writeResults(options.out, chart, referenceError(chart, starts), provenance(options.commit), rows);
-  std::printf("%s: %zu points\n", chart.name.c_str(), rows.size());
-  std::fflush(stdout);
+  return rows.size();
 }
 
 void list()
@@ -168,17 +130,38 @@ void list()
     for (const std::string& variant : engine.variants) std::printf("%s %s\n", engine.name.c_str(), variant.c_str());
 }
 
-void run(const Options& options)
+std::vector<ChartScene> scenesOf(const ChartOptions& options)
 {
-  if (options.list) return list();
-  bool found = false;
+  std::vector<ChartScene> scenes;
   for (const ChartScene& chart : chartScenes())
+    if (options.only.empty() || options.only == chart.name) scenes.push_back(chart);
+  if (scenes.empty()) throw std::invalid_argument("--only: " + options.only + ": expected a scene that --list names");
+  return scenes;
+}
+
+void measureAll(const ChartOptions& options)
+{
+  const std::vector<ChartScene> scenes = scenesOf(options);
+  Progress progress("chart");
+  for (std::size_t i = 0; i < scenes.size(); ++i)
   {
-    if (!options.only.empty() && options.only != chart.name) continue;
-    found = true;
-    measureScene(chart, options);
+    const double of_all = 1.0 / static_cast<double>(scenes.size()), before = of_all * static_cast<double>(i);
+    const std::size_t points =
+        measureScene(scenes[i], options, progress.stretch(before, before + of_all, scenes[i].name));
+    progress.clear();
+    std::printf("%s: %zu points\n", scenes[i].name.c_str(), points);
+    std::fflush(stdout);
   }
-  if (!found) throw std::invalid_argument(options.only + ": no such scene; --list names them");
+}
+
+void run(const ChartOptions& options)
+{
+  if (options.help)
+    writeHelp(*options.help);
+  else if (options.list)
+    list();
+  else
+    measureAll(options);
 }
 }  // namespace
 }  // namespace ping_pong::bench
@@ -187,7 +170,7 @@ int main(int argc, char** argv)
 {
   try
   {
-    ping_pong::bench::run(ping_pong::bench::optionsFrom(argc, argv));
+    ping_pong::bench::run(ping_pong::bench::chartOptions(argc, argv));
   }
   catch (const std::exception& error)
   {

@@ -42,6 +42,7 @@ void registerAll()
 int main(int argc, char** argv)
 {
   ping_pong::registerAll();
-  benchmark::Initialize(&argc, argv);
+  benchmark::Initialize(&argc, argv);  // the options are the library's; --help lists them
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -49,13 +49,16 @@ long runsPerRepeat(const ChartScene& chart, const std::vector<Start>& starts, co
 }  // namespace
 
 std::vector<Cost> measureCosts(const ChartScene& chart, const std::vector<Start>& starts,
-                               const std::vector<Point>& points, const Effort& effort)
+                               const std::vector<Point>& points, const Effort& effort, const PartDone& done)
 {
   std::vector<long> runs;
   for (const Point& point : points) runs.push_back(runsPerRepeat(chart, starts, point, effort.repeat_time));
   std::vector<std::vector<double>> times(points.size());
   for (int k = 0; k < effort.repeats; ++k)
+  {
     for (std::size_t i = 0; i < points.size(); ++i) times[i].push_back(repeat(chart, starts, points[i], runs[i]));
+    done((k + 1.0) / effort.repeats);
+  }
   std::vector<Cost> costs;
   const double unit = chart.duration * static_cast<double>(starts[0].scene.balls.size());
   for (std::vector<double>& of_point : times)

@@ -3,6 +3,7 @@
 
 #include "chart_scene.h"
 #include "point.h"
+#include "progress.h"
 
 namespace ping_pong::bench
 {
@@ -14,5 +15,5 @@ struct Cost
 
 /// The points take turns, so that a busy moment of the machine does not fall on one of them alone.
 std::vector<Cost> measureCosts(const ChartScene& chart, const std::vector<Start>& starts,
-                               const std::vector<Point>& points, const Effort& effort);
+                               const std::vector<Point>& points, const Effort& effort, const PartDone& done);
 }  // namespace ping_pong::bench

@@ -4,6 +4,7 @@ add_executable(${PROJECT_NAME}_chart EXCLUDE_FROM_ALL
   bench/air_scenes.cpp
   bench/air_truth.cpp
   bench/chart.cpp
+  bench/chart_options.cpp
   bench/chart_scenes.cpp
   bench/energy.cpp
   bench/engines.cpp
@@ -24,7 +25,7 @@ add_executable(${PROJECT_NAME}_chart EXCLUDE_FROM_ALL
 )
 set_target_properties(${PROJECT_NAME}_chart PROPERTIES OUTPUT_NAME chart)
 target_include_directories(${PROJECT_NAME}_chart PRIVATE bench test/core src/core)
-target_link_libraries(${PROJECT_NAME}_chart PRIVATE ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
+target_link_libraries(${PROJECT_NAME}_chart PRIVATE ${PROJECT_NAME}_command_line ${PROJECT_NAME}_options)
 if(BENCH_PEERS)
   target_compile_definitions(${PROJECT_NAME}_chart PRIVATE BENCH_PEERS)
   target_link_libraries(${PROJECT_NAME}_chart PRIVATE ${PROJECT_NAME}_peers)

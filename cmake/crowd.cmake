@@ -1,5 +1,6 @@
 # What a crowd costs against the number of its balls: scripts/crowd builds it; with BENCH_PEERS other simulators come along.
 add_executable(${PROJECT_NAME}_crowd EXCLUDE_FROM_ALL
+  bench/crowd/crowd_options.cpp
   bench/crowd/crowd_run.cpp
   bench/crowd/crowd_scene.cpp
   bench/crowd/main.cpp
@@ -14,7 +15,7 @@ add_executable(${PROJECT_NAME}_crowd EXCLUDE_FROM_ALL
 )
 set_target_properties(${PROJECT_NAME}_crowd PROPERTIES OUTPUT_NAME crowd)
 target_include_directories(${PROJECT_NAME}_crowd PRIVATE bench test/core src/core)
-target_link_libraries(${PROJECT_NAME}_crowd PRIVATE ${PROJECT_NAME}_core ${PROJECT_NAME}_options)
+target_link_libraries(${PROJECT_NAME}_crowd PRIVATE ${PROJECT_NAME}_command_line ${PROJECT_NAME}_options)
 target_compile_definitions(${PROJECT_NAME}_crowd PRIVATE SCENES_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/scenes")
 if(BENCH_PEERS)
   target_compile_definitions(${PROJECT_NAME}_crowd PRIVATE BENCH_PEERS)

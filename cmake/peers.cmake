@@ -49,7 +49,7 @@ target_include_directories(${PROJECT_NAME}_peers SYSTEM PRIVATE ${MUJOCO_INCLUDE
 
 add_executable(${PROJECT_NAME}_peers_check bench/peers/check.cpp)
 set_target_properties(${PROJECT_NAME}_peers_check PROPERTIES OUTPUT_NAME peers_check)
-target_link_libraries(${PROJECT_NAME}_peers_check PRIVATE ${PROJECT_NAME}_peers ${PROJECT_NAME}_options)
+target_link_libraries(${PROJECT_NAME}_peers_check PRIVATE ${PROJECT_NAME}_peers ${PROJECT_NAME}_command_line ${PROJECT_NAME}_options)
 if(CORE_ONLY)
   add_test(NAME peers_check COMMAND ${PROJECT_NAME}_peers_check)
 endif()

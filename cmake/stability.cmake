@@ -29,8 +29,8 @@ target_include_directories(${PROJECT_NAME}_stability PUBLIC bench/stability test
 target_link_libraries(${PROJECT_NAME}_stability PUBLIC ${PROJECT_NAME}_core PRIVATE ${PROJECT_NAME}_options)
 
 add_executable(${PROJECT_NAME}_stability_map EXCLUDE_FROM_ALL
-  bench/stability/main.cpp bench/stability/random_main.cpp bench/stability/scene_files.cpp)
-target_link_libraries(${PROJECT_NAME}_stability_map PRIVATE ${PROJECT_NAME}_stability ${PROJECT_NAME}_options)
+  bench/stability/main.cpp bench/stability/options.cpp bench/stability/random_main.cpp bench/stability/scene_files.cpp)
+target_link_libraries(${PROJECT_NAME}_stability_map PRIVATE ${PROJECT_NAME}_stability ${PROJECT_NAME}_command_line ${PROJECT_NAME}_options)
 set_target_properties(${PROJECT_NAME}_stability_map PROPERTIES OUTPUT_NAME stability)
 if(BENCH)
   set_target_properties(${PROJECT_NAME}_stability ${PROJECT_NAME}_stability_map PROPERTIES EXCLUDE_FROM_ALL FALSE)

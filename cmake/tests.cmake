@@ -54,6 +54,9 @@ foreach(name
     shipped_scenes
     urdf_loader
     simulate
+    command_line
+    progress
+    bench_options
     command_file
     paddle_drive
     paddle_blocking
@@ -122,6 +125,11 @@ foreach(name allocations pooled)
 endforeach()
 
 target_sources(${PROJECT_NAME}_test_command_file PRIVATE src/apps/command_file.cpp src/apps/line_reader.cpp)
+foreach(name command_line progress bench_options)
+  target_link_libraries(${PROJECT_NAME}_test_${name} ${PROJECT_NAME}_command_line)
+endforeach()
+target_sources(${PROJECT_NAME}_test_bench_options PRIVATE bench/chart_options.cpp bench/crowd/crowd_options.cpp bench/stability/options.cpp)
+target_include_directories(${PROJECT_NAME}_test_bench_options PRIVATE bench)
 target_sources(${PROJECT_NAME}_test_quiet_time PRIVATE bench/crowd/quiet_time.cpp)
 target_include_directories(${PROJECT_NAME}_test_quiet_time PRIVATE bench/crowd)
 

@@ -2,15 +2,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "../results_file.h"
+#include "command_line.h"
 #include "core_distance.h"
+#include "crowd_options.h"
 #include "crowd_run.h"
+#include "progress.h"
 #include "quiet_time.h"
 
 namespace ping_pong::bench
@@ -21,48 +23,6 @@ constexpr std::size_t kWorthSharing = 1000;  // balls among threads
 constexpr std::size_t kSecond = 100;         // ticks
 constexpr double kNear = 120.0;              // between processors of one chip a line of the cache takes less [ns]
 const std::string kOurs = "ping_pong_sim";
-
-struct Options
-{
-  std::string out, commit = "unknown";
-  std::vector<std::string> scenes;  // none: all
-  std::string variant;              // of ours, only this one; empty: all, and others
-  double balls = 0.0;               // only this number; 0: a row of them
-  int rounds = 8;
-  bool quick = false;
-  bool companion = false;  // `exact` beside another world, too; runs with near and with far processors apart
-};
-
-Options parse(int argc, char** argv)
-{
-  Options options;
-  for (int i = 1; i < argc; ++i)
-  {
-    const bool last = i + 1 == argc;
-    if (std::strcmp(argv[i], "--quick") == 0)
-      options.quick = true;
-    else if (std::strcmp(argv[i], "--companion") == 0)
-      options.companion = true;
-    else if (std::strcmp(argv[i], "--out") == 0 && !last)
-      options.out = argv[++i];
-    else if (std::strcmp(argv[i], "--commit") == 0 && !last)
-      options.commit = argv[++i];
-    else if (std::strcmp(argv[i], "--scene") == 0 && !last)
-      options.scenes.emplace_back(argv[++i]);
-    else if (std::strcmp(argv[i], "--variant") == 0 && !last)
-      options.variant = argv[++i];
-    else if (std::strcmp(argv[i], "--balls") == 0 && !last)
-      options.balls = std::stod(argv[++i]);
-    else if (std::strcmp(argv[i], "--rounds") == 0 && !last)
-      options.rounds = std::stoi(argv[++i]);
-    else
-      throw std::runtime_error(std::string(argv[i]) +
-                               ": expected --quick, --companion, --scene NAME, --variant NAME, --balls N, --rounds N, "
-                               "--out FILE or --commit NAME");
-  }
-  if (options.out.empty()) throw std::runtime_error("--out: missing: expected the CSV file to write");
-  return options;
-}
 
 /// Ours: those made for crowds, `exact` and `impulse`. Of the peers those that carry thousands of balls.
 std::vector<CrowdPoint> points(const CrowdScene& scene, bool companion)
@@ -147,7 +107,7 @@ void tell(const Measured& measured)
 }
 
 /// Once more: as many ticks as the first time.
-CrowdRun measure(Measured& measured, const CrowdEffort& effort)
+CrowdRun measure(Measured& measured, const CrowdEffort& effort, Progress& progress)
 {
   const CrowdRun run = measureCrowd(measured.point, *measured.scene, measured.balls, effort, measured.time.ticks());
   const bool first = measured.time.runs() == 0;
@@ -158,6 +118,7 @@ CrowdRun measure(Measured& measured, const CrowdEffort& effort)
       throw std::runtime_error(measured.scene->name + ": two runs ended in different states");
     measured.time.add(run.ticks);
   }
+  progress.clear();
   if (first || run.result.done) tell(measured);
   return run;
 }
@@ -167,29 +128,60 @@ bool isOneOf(const std::vector<std::string>& names, const std::string& name)
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// All points once: of each engine ever more balls, as long as they do not take too long.
-std::vector<Measured> firstRound(const Options& options, const CrowdEffort& effort)
+struct Candidate
 {
-  std::vector<Measured> all;
+  const CrowdScene* scene;
+  CrowdPoint point;
+};
+
+std::vector<Candidate> candidates(const CrowdOptions& options)
+{
+  std::vector<Candidate> all;
+  for (const CrowdScene& scene : crowdScenes())
+    if (isOneOf(options.scenes, scene.name))
+      for (const CrowdPoint& point : points(scene, options.companion))
+        if (options.variant.empty() || (point.engine->name == kOurs && point.variant == options.variant))
+          all.push_back({&scene, point});
+  return all;
+}
+
+/// Ever more balls, as long as they do not take too long.
+void measureRow(const Candidate& candidate, const CrowdOptions& options, const CrowdEffort& effort,
+                std::vector<Measured>& all, Progress& progress)
+{
+  const auto& [scene, point] = candidate;
   const double most = options.quick ? 1000.0 : 100000.0;
   const auto settled = static_cast<std::size_t>(std::max(5, options.rounds / 2));
-  for (const CrowdScene& scene : crowdScenes())
+  for (double n = options.balls > 0.0 ? options.balls : scene->fewest; n <= 1.0001 * most; n *= std::sqrt(10.0))
   {
-    if (!isOneOf(options.scenes, scene.name)) continue;
-    for (const CrowdPoint& point : points(scene, options.companion))
-    {
-      if (!options.variant.empty() && (point.engine->name != kOurs || point.variant != options.variant)) continue;
-      for (double n = options.balls > 0.0 ? options.balls : scene.fewest; n <= 1.0001 * most; n *= std::sqrt(10.0))
-      {
-        const auto balls = static_cast<std::size_t>(n + 0.5);
-        if (point.threads > 1 && balls < kWorthSharing) continue;
-        if (!point.engine->refuse(crowdOf(scene, balls), point.variant).empty()) break;
-        Measured& measured = all.emplace_back(Measured{&scene, point, balls, {}, QuietTime(settled)});
-        measure(measured, effort);
-        if (!measured.result.done || options.balls > 0.0 || 4.0 * measured.result.wall > effort.most)
-          break;  // more would take too long
-      }
-    }
+    const auto balls = static_cast<std::size_t>(n + 0.5);
+    if (point.threads > 1 && balls < kWorthSharing) continue;
+    if (!point.engine->refuse(crowdOf(*scene, balls), point.variant).empty()) break;
+    Measured& measured = all.emplace_back(Measured{scene, point, balls, {}, QuietTime(settled)});
+    measure(measured, effort, progress);
+    if (!measured.result.done || options.balls > 0.0 || 4.0 * measured.result.wall > effort.most)
+      break;  // more would take too long
+  }
+}
+
+/// Rounds, each of which takes about as long.
+double roundsOf(const CrowdOptions& options)
+{
+  return options.companion ? 1.0 + options.rounds
+         : options.quick   ? 1.0
+                           : std::max(1.0, static_cast<double>(options.rounds));
+}
+
+/// All points once.
+std::vector<Measured> firstRound(const CrowdOptions& options, const CrowdEffort& effort, Progress& progress)
+{
+  std::vector<Measured> all;
+  const std::vector<Candidate> rows = candidates(options);
+  const PartDone done = progress.stretch(0.0, 1.0 / roundsOf(options), "first round");
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    measureRow(rows[i], options, effort, all, progress);
+    done((i + 1.0) / static_cast<double>(rows.size()));
   }
   return all;
 }
@@ -201,7 +193,8 @@ Cores coresNow()
 
 /// Of each point apart what it costs with near and with far processors: this system moves them from chip to chip at times. A
 /// run counts if they were as far from each other after it as before; those of `all`, which tell how many ticks it has, do not.
-std::vector<Measured> measureApart(std::vector<Measured>& all, const Options& options, const CrowdEffort& effort)
+std::vector<Measured> measureApart(std::vector<Measured>& all, const CrowdOptions& options, const CrowdEffort& effort,
+                                   Progress& progress)
 {
   std::vector<Measured> apart;
   for (const Measured& measured : all)
@@ -211,10 +204,11 @@ std::vector<Measured> measureApart(std::vector<Measured>& all, const Options& op
   for (int round = 0; round < options.rounds; ++round)
     for (std::size_t k = 0; k < all.size(); ++k)
     {
-      const CrowdRun run = measure(all[k], effort);
+      const CrowdRun run = measure(all[k], effort, progress);
       const Cores after = coresNow();
       if (run.result.done && after == before) apart[2 * k + (after == Cores::Far)].time.add(run.ticks);
       before = after;
+      progress.show((1.0 + round + (k + 1.0) / static_cast<double>(all.size())) / roundsOf(options));
     }
   apart.erase(
       std::remove_if(apart.begin(), apart.end(), [](const Measured& measured) { return measured.time.runs() == 0; }),
@@ -223,26 +217,32 @@ std::vector<Measured> measureApart(std::vector<Measured>& all, const Options& op
 }
 
 /// Round after round, so that whoever else uses the machine for a while does not do so at the cost of one point.
-void measureAgain(std::vector<Measured>& all, const Options& options, const CrowdEffort& effort)
+void measureAgain(std::vector<Measured>& all, const CrowdOptions& options, const CrowdEffort& effort,
+                  Progress& progress)
 {
   for (int round = 1; round < options.rounds; ++round)
-    for (Measured& measured : all)
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      Measured& measured = all[k];
       if (measured.result.done && 4.0 * measured.result.wall < effort.most && !measured.time.settled())
-        measure(measured, effort);
+        measure(measured, effort, progress);
+      progress.show((round + (k + 1.0) / static_cast<double>(all.size())) / options.rounds);
+    }
 }
 
-void measureAll(const Options& options)
+void measureAll(const CrowdOptions& options)
 {
   std::FILE* file = std::fopen(options.out.c_str(), "w");
   if (file == nullptr) throw std::runtime_error(options.out + ": cannot be written");
   const Provenance from = provenance(options.commit);
   const std::string load = loadNow();
   const CrowdEffort effort = options.quick ? CrowdEffort{0.1, 5.0} : CrowdEffort();
-  std::vector<Measured> all = firstRound(options, effort);
+  Progress progress("crowd");
+  std::vector<Measured> all = firstRound(options, effort, progress);
   if (options.companion)
-    all = measureApart(all, options, effort);
+    all = measureApart(all, options, effort, progress);
   else if (!options.quick)
-    measureAgain(all, options, effort);
+    measureAgain(all, options, effort, progress);
   std::fprintf(file, "# machine: %s\n# compiler: %s\n# commit: %s\n# load: %s\n", from.machine.c_str(),
                from.compiler.c_str(), from.commit.c_str(), load.c_str());
   std::fprintf(
@@ -259,7 +259,9 @@ int main(int argc, char** argv)
 {
   try
   {
-    ping_pong::bench::measureAll(ping_pong::bench::parse(argc, argv));
+    const ping_pong::bench::CrowdOptions options = ping_pong::bench::crowdOptions(argc, argv);
+    if (options.help) return ping_pong::writeHelp(*options.help) ? 0 : 2;
+    ping_pong::bench::measureAll(options);
     return 0;
   }
   catch (const std::exception& error)

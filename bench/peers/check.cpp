@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <limits>
+#include <optional>
+#include <string>
 
+#include "../../src/core/scene/text_input.h"
+#include "command_line.h"
 #include "peers.h"
 #include "ping_pong_sim/world.h"
 
@@ -297,13 +300,42 @@ int timeAll(const std::string& only)
     }
   return 0;
 }
+
+std::string engineName(const std::string& text)
+{
+  std::vector<std::string> names;
+  for (const EngineKind& kind : peerKinds()) names.push_back(kind.name);
+  if (std::find(names.begin(), names.end(), text) != names.end()) return text;
+  throw Unexpected{"one of: " + joined(names)};
+}
+
+int run(int argc, char** argv)
+{
+  std::string only;
+  bool time = false;
+  const OptionGroup what = {
+      "What is done",
+      {{"ENGINE", "", "this engine alone", into(only, engineName)},
+       {"--time", "", "processor time per step of one ball that bounces; checks nothing", flag(time)}}};
+  const CommandLine line = {"peers_check",
+                            "Holds every other simulator to small scenes with a known answer.",
+                            {what},
+                            "Exit status: 0 all is well; 1 an engine is far off; 2 bad command line."};
+  if (const std::optional<std::string> help = parse(line, argc, argv)) return writeHelp(*help) ? 0 : 2;
+  return time ? timeAll(only) : checkAll(only);
+}
 }  // namespace
 }  // namespace ping_pong::bench
 
-// usage: peers_check [--time] [ENGINE]
 int main(int argc, char** argv)
 {
-  const bool time = argc > 1 && std::strcmp(argv[1], "--time") == 0;
-  const std::string only = argc > (time ? 2 : 1) ? argv[time ? 2 : 1] : "";
-  return time ? ping_pong::bench::timeAll(only) : ping_pong::bench::checkAll(only);
+  try
+  {
+    return ping_pong::bench::run(argc, argv);
+  }
+  catch (const ping_pong::UsageError& error)
+  {
+    std::fprintf(stderr, "peers_check: %s\n", error.what());
+    return 2;
+  }
 }

@@ -4,7 +4,9 @@
 #include <iostream>
 
 #include "cases.h"
-#include "random_main.h"
+#include "command_line.h"
+#include "options.h"
+#include "progress.h"
 #include "situations.h"
 
 namespace ping_pong::stability
@@ -14,27 +16,31 @@ namespace
 const std::vector<double> kSteps = {1e-2, 1e-3, 1e-4};                                      // [s]
 const std::vector<double> kShotSteps = {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 1e-3, 1e-4};  // [s]
 const std::vector<double> kSpeeds = {1.0, 5.0, 10.0, 25.0, 40.0, 100.0, 200.0};             // [m/s]
+constexpr double kMapPart = 0.65;  // of the time that all files take; the shots take next to none
 
 std::vector<double> stepsOf(Method method)
 {
   return method == Method::Exact ? std::vector<double>{1e-3} : kSteps;  // it does not look at them
 }
 
-void writeMap(std::ostream& out)
+void writeMap(std::ostream& out, const PartDone& done)
 {
+  double cases_done = 0.0;
   out << "case,title,measures,bound,reason,method,step_s,value,passes\n";
   for (const Case& each : cases())
+  {
     for (const Method method : kMethods)
       for (const double step : stepsOf(method))
       {
         const double value = each.value(method, step);
         out << each.name << ",\"" << each.title << "\",\"" << each.measures << "\"," << each.bound << ",\""
             << each.reason << "\"," << name(method) << ',' << step << ',' << value << ',' << each.passes(value) << '\n';
-        std::cerr << '.' << std::flush;
       }
+    done(++cases_done / static_cast<double>(cases().size()));
+  }
 }
 
-void writeShots(std::ostream& out)
+void writeShots(std::ostream& out, const PartDone&)
 {
   out << "method,step_s,speed_m_s,missed,wrong_side\n";
   for (const Method method :
@@ -47,27 +53,56 @@ void writeShots(std::ostream& out)
       }
 }
 
-bool write(const std::string& path, void (*writer)(std::ostream&))
+struct File
 {
+  const char* name;
+  void (*write)(std::ostream&, const PartDone&);
+  double from, to;   ///< of the time that all of them take
+  const char* what;  ///< while it is written
+};
+
+const std::vector<File> kFiles = {{"stability.csv", writeMap, 0.0, kMapPart, "map"},
+                                  {"tunnelling.csv", writeShots, kMapPart, kMapPart, "shots"},
+                                  {"random.csv", writeRandom, kMapPart, 1.0, "random scenes"}};
+
+bool write(const std::string& directory, const File& each, Progress& progress)
+{
+  const std::string path = directory + '/' + each.name;
   std::ofstream file(path);
   file.precision(6);
-  writer(file);
+  each.write(file, progress.stretch(each.from, each.to, each.what));
   file.close();
+  progress.clear();
   if (!file) std::cerr << path << ": cannot be written\n";
   return static_cast<bool>(file);
+}
+
+int mapMain(const std::string& directory)
+{
+  Progress progress("stability");
+  for (const File& file : kFiles)
+    if (!write(directory, file, progress)) return 1;
+  return 0;
+}
+
+int run(int argc, char** argv)
+{
+  const Options options = optionsFrom(argc, argv);
+  if (options.help) return writeHelp(*options.help) ? 0 : 1;
+  return options.directory.empty() ? randomMain(options.random) : mapMain(options.directory);
 }
 }  // namespace
 }  // namespace ping_pong::stability
 
 int main(int argc, char** argv)
 {
-  using namespace ping_pong::stability;
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() != 1) return randomMain(arguments);
-  const std::string directory = arguments[0];
-  const bool written = write(directory + "/stability.csv", writeMap) &&
-                       write(directory + "/tunnelling.csv", writeShots) &&
-                       write(directory + "/random.csv", writeRandom);
-  std::cerr << '\n';
-  return written ? 0 : 1;
+  try
+  {
+    return ping_pong::stability::run(argc, argv);
+  }
+  catch (const ping_pong::UsageError& error)
+  {
+    std::cerr << "stability: " << error.what() << '\n';
+    return 2;
+  }
 }

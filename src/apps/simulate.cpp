@@ -1,4 +1,6 @@
 // Runs a scene without ROS: ball states to standard output, a summary to standard error.
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cinttypes>
@@ -15,6 +17,7 @@
 #include "ping_pong_sim/scene_loader.h"
 #include "ping_pong_sim/state_hash.h"
 #include "ping_pong_sim/world.h"
+#include "progress.h"
 #include "simulate_options.h"
 
 namespace ping_pong
@@ -155,18 +158,26 @@ void advanceTo(double time, Run& run)
   tickTo(time, run);
 }
 
+/// Rows that run over the same terminal are progress enough.
+int terminalForProgress()
+{
+  return isatty(STDOUT_FILENO) != 0 ? -1 : STDERR_FILENO;
+}
+
 void runWhole(const SimulateOptions& options, Run& run)
 {
+  Progress progress("simulate", terminalForProgress());
   run.report.energy_start = run.world.totals().energy();
   // A duration such as 0.3 s at 10 Hz has three rows after the first, though 0.3 * 10 may round below 3.
-  const auto rows = static_cast<std::uint64_t>(*options.duration * options.rate * (1.0 + 1e-12));
+  const auto rows = static_cast<std::uint64_t>(options.duration * options.rate * (1.0 + 1e-12));
   for (std::uint64_t k = 0; k <= rows; ++k)
   {
     const double time = static_cast<double>(k) / options.rate;
     if (k > 0) advanceTo(time, run);
     writeBalls(run.world, time, run.balls);
+    progress.show(time / options.duration);
   }
-  if (run.world.time() < *options.duration) advanceTo(*options.duration, run);  // the rest, shorter than a row
+  if (run.world.time() < options.duration) advanceTo(options.duration, run);  // the rest, shorter than a row
 }
 
 std::string statusText(const Report& report)
@@ -183,13 +194,13 @@ void printSummary(const SimulateOptions& options, const Run& run)
 {
   const World& world = run.world;
   const Report& report = run.report;
-  const double ball_seconds = static_cast<double>(world.ballCount()) * *options.duration;
+  const double ball_seconds = static_cast<double>(world.ballCount()) * options.duration;
   std::fprintf(stderr, "scene %s, method %s, %zu balls, %g s simulated\n", world.scene().name.c_str(),
-               name(world.method()), world.ballCount(), *options.duration);
+               name(world.method()), world.ballCount(), options.duration);
   if (world.scene().method == Method::Auto)
     std::fprintf(stderr, "auto takes %s\n", chooseMethod(world.scene()).reason.c_str());
   std::fprintf(stderr, "cost %.6g s wall, %.4g us per ball and simulated second, %.4g x real time\n", report.wall,
-               ball_seconds > 0.0 ? 1e6 * report.wall / ball_seconds : 0.0, *options.duration / report.wall);
+               ball_seconds > 0.0 ? 1e6 * report.wall / ball_seconds : 0.0, options.duration / report.wall);
   std::fprintf(stderr, "contacts %zu, events %zu\n", report.contacts, report.events);
   if (run.commands.size() > 0)
     std::fprintf(stderr, "commands %zu given, %zu left at the end\n", run.commands.given(),
@@ -226,8 +237,7 @@ ExitStatus simulateOrHelp(int argc, char** argv)
 {
   const SimulateOptions options = parseSimulateOptions(argc, argv);
   if (!options.help) return simulate(options);
-  const bool written = std::fputs(kSimulateHelp.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-  return written ? kWhole : kOutputFailed;
+  return writeHelp(*options.help) ? kWhole : kOutputFailed;
 }
 }  // namespace
 }  // namespace ping_pong

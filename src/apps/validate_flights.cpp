@@ -8,7 +8,8 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kMargin = 0.004;  // samples so close to the bounce may be on either side [s]
+constexpr double kRowsOfConstants = 19.0;  // those without spin take no time beside them
+constexpr double kMargin = 0.004;          // samples so close to the bounce may be on either side [s]
 
 std::size_t samplesBeforeBounce(const Flight& flight)
 {
@@ -96,7 +97,7 @@ double medianThrough(const std::vector<FlightScore>& scores, bool only_checked)
   return medianRatio(scores, only_checked, [](const FlightScore& score) { return score.through; });
 }
 
-void writeFlights(const std::vector<Flight>& flights, const std::string& out)
+void writeFlights(const std::vector<Flight>& flights, const std::string& out, const PartDone& done)
 {
   CsvFile table(out + "/flights.csv"), each(out + "/flights_each.csv"), residuals(out + "/residuals.csv");
   for (const char* head :
@@ -107,7 +108,9 @@ void writeFlights(const std::vector<Flight>& flights, const std::string& out)
   each.endRow();
   for (const char* head : {"model", "time_from_bounce", "median_misfit_m"}) residuals.text(head);
   residuals.endRow();
-  for (const FlightChoice& model : flightChoices())
+  const std::vector<FlightChoice> models = flightChoices();
+  double models_done = 0.0;
+  for (const FlightChoice& model : models)
   {
     const std::vector<FlightScore> scores = scoreFlights(flights, model, false);
     table.text(('"' + model.name + '"').c_str());
@@ -130,13 +133,14 @@ void writeFlights(const std::vector<Flight>& flights, const std::string& out)
       each.endRow();
     }
     writeResiduals(residuals, '"' + model.name + '"', scores);
+    done(++models_done / static_cast<double>(models.size()));
   }
   table.close();
   each.close();
   residuals.close();
 }
 
-void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::string& out)
+void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::string& out, const PartDone& done)
 {
   std::vector<Flight> half;
   for (std::size_t i = 0; i < flights.size(); ++i)
@@ -144,6 +148,7 @@ void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::strin
   CsvFile table(out + "/constants.csv");
   for (const char* head : {"C_D_without_spin", "half_at", "e", "e_t", "before", "through"}) table.text(head);
   table.endRow();
+  double rows_done = 0.0;
   const auto row = [&](double C_D, double half_at, double e, double e_t)
   {
     FlightChoice model;
@@ -157,6 +162,7 @@ void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::strin
     for (const double value : {C_D, half_at, e, e_t, medianBefore(scores, false), medianThrough(scores, false)})
       table.number(value);
     table.endRow();
+    done(++rows_done / kRowsOfConstants);
   };
   const double half_at = defaultForces().drag_law.half_at;
   for (const double C_D : {0.24, 0.30, 0.33, 0.36, 0.40, 0.44, 0.53}) row(C_D, half_at, 0.99, 0.15);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "flight_fit.h"
+#include "progress.h"
 
 namespace ping_pong
 {
@@ -41,9 +42,9 @@ std::vector<FlightScore> scoreFlights(const std::vector<Flight>& flights, const 
 /// Median of misfit / noise; of the checked half alone, if asked.
 double medianBefore(const std::vector<FlightScore>& scores, bool only_checked);
 double medianThrough(const std::vector<FlightScore>& scores, bool only_checked);
-void writeFlights(const std::vector<Flight>& flights, const std::string& out);
+void writeFlights(const std::vector<Flight>& flights, const std::string& out, const PartDone& done);
 /// The choice of C_D without spin, e and e_t of the table on the half that is not checked.
-void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::string& out);
+void writeChoiceOfConstants(const std::vector<Flight>& flights, const std::string& out, const PartDone& done);
 
 // --- what to leave out ---
 

@@ -386,7 +386,16 @@ TEST(Simulate, ExplainsItself)
                              "--threads", "--contacts", "--commands"})
     EXPECT_NE(output.out.find(option), std::string::npos) << option;
   for (const Method method : kMethods) EXPECT_NE(output.out.find(name(method)), std::string::npos) << name(method);
-  EXPECT_NE(output.out.find("auto"), std::string::npos);
+  for (const char* part :
+       {"auto", "\nRun:\n", "--duration T REQUIRED", "\nOutput:\n", "--rate R=100 ", "\nInstead of the scene's own:\n"})
+    EXPECT_NE(output.out.find(part), std::string::npos) << part;
+  EXPECT_EQ(runShell(std::string("'") + SIMULATE + "' --help > /dev/full").status, 1);
+}
+
+TEST(Simulate, TakesOptionsCutShortOrJoinedAndTheLastOneOfAName)
+{
+  const Output whole = simulate(shipped("tray") + " --duration 0.05 --rate 20 --seed 2");
+  EXPECT_EQ(simulate("--dur 9 --rat=20 --see 2 --duration=0.05 -- " + shipped("tray")).out, whole.out);
 }
 
 TEST(Simulate, RefusesBadInputWithOneLineAndStatusTwo)

@@ -45,6 +45,18 @@ TEST(Validation, RefusesUnknownArguments)
 {
   const Outcome run = validate("--frobnicate");
   EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.text.find("--frobnicate"), std::string::npos) << run.text;
+  EXPECT_EQ(run.text,
+            "validate: --frobnicate: unknown option: expected one of those that --help lists: --help, --data, --scene, "
+            "--out, --check\n");
+  EXPECT_EQ(validate("--data").text, "validate: --data: nothing: expected a value after it\n");
+}
+
+TEST(Validation, ExplainsItself)
+{
+  const Outcome run = validate("--help");
+  EXPECT_EQ(run.status, 0);
+  for (const char* part : {"\nInput:\n", "--data DIR=test/data ", "--scene FILE=config/scenes/rally.yaml",
+                           "\nOutput:\n", "--out DIR=. ", "--check"})
+    EXPECT_NE(run.text.find(part), std::string::npos) << part;
 }
 }  // namespace
