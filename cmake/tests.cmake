@@ -108,6 +108,13 @@ foreach(name
     shots
     quiet_time
     keys
+    score
+    umpire
+    umpire_flown
+    umpire_match
+    umpire_service
+    umpire_trouble
+    umpire_world
 )
   add_core_test(${name})
 endforeach()
@@ -117,6 +124,9 @@ foreach(name cradle random_contacts stability tunnelling)
   target_link_libraries(${PROJECT_NAME}_test_${name} ${PROJECT_NAME}_stability)
 endforeach()
 target_link_libraries(${PROJECT_NAME}_test_keys ${PROJECT_NAME}_keys)
+foreach(name score umpire umpire_flown umpire_match umpire_service umpire_trouble umpire_world)
+  target_link_libraries(${PROJECT_NAME}_test_${name} ${PROJECT_NAME}_game)
+endforeach()
 add_dependencies(${PROJECT_NAME}_test_simulate ${PROJECT_NAME}_simulate)
 add_dependencies(${PROJECT_NAME}_test_validation ${PROJECT_NAME}_validate)
 
