@@ -13,7 +13,8 @@ namespace ping_pong
 /// Table, floor and air of scene `rally`, a paddle behind each end, no ball.
 inline Scene matchScene()
 {
-  Scene scene = loadScene(std::string(SCENES_DIR) + "/rally.yaml");
+  static const Scene rally = loadScene(std::string(SCENES_DIR) + "/rally.yaml");
+  Scene scene = rally;
   scene.balls.clear();
   for (Body& body : scene.bodies)
     if (body.kind == BodyKind::Kinematic) body.name = "paddle_a";

@@ -161,7 +161,7 @@ TEST_P(Flown, RandomReturnsAreDecidedAsTheirTouchesSay)
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   const char own = me == Player::B ? '+' : '-', their = me == Player::B ? '-' : '+';
   int good = 0, bad = 0, off_the_net = 0;
-  for (int i = 0; i < 400; ++i)
+  for (int i = 0; i < 200; ++i)
   {
     const Vector3d p(1.3 + 0.6 * part(random), 0.9 * part(random), 1.0 + 0.2 * part(random));
     const Vector3d v(-5.0 + 3.0 * part(random), 1.0 * part(random), 1.5 + 1.5 * part(random));
@@ -174,11 +174,14 @@ TEST_P(Flown, RandomReturnsAreDecidedAsTheirTouchesSay)
     off_the_net += in && touches[0] == 'n';
     EXPECT_EQ(said.back(), (in ? s() : r())[0]) << touches << " " << said;
     EXPECT_EQ(said.substr(0, 14), in ? "point 2.10.1.3" : said.substr(0, 14)) << touches;
-    if (!in && first == std::string(1, own)) EXPECT_EQ(said, "point 2.10.1.2 " + r()) << touches;
+    if (!in && first == std::string(1, own))
+    {
+      EXPECT_EQ(said, "point 2.10.1.2 " + r()) << touches;
+    }
   }
   std::printf("[ measured ] good %d, lost %d, good off the net %d\n", good, bad, off_the_net);
-  EXPECT_GT(good, 50);
-  EXPECT_GT(bad, 50);
+  EXPECT_GT(good, 25);
+  EXPECT_GT(bad, 25);
 }
 }  // namespace
 }  // namespace ping_pong

@@ -9,15 +9,6 @@ namespace ping_pong
 {
 namespace
 {
-PaddleCommand poseCommand(const Vector3d& p, const Quaterniond& q, const Vector3d& v)
-{
-  PaddleCommand command;
-  command.mode = PaddleCommand::Mode::Pose;
-  command.pose = {p, q};
-  command.twist.v = v;
-  return command;
-}
-
 class InWorld : public ::testing::TestWithParam<Player>
 {
 protected:
@@ -33,7 +24,7 @@ INSTANTIATE_TEST_SUITE_P(FromBothSides, InWorld, ::testing::Values(Player::A, Pl
 TEST_P(InWorld, APaddleServes)
 {
   int good = 0;
-  for (const double speed : {1.5, 2.0, 2.5, 3.0, 3.5})
+  for (const double speed : {2.0, 2.5, 3.0, 3.5})
   {
     FlownMatch match(me, {1.9, 0.0, 1.06});
     const std::size_t paddle = match.umpire.court().racket[index(match.umpire.endOf(me))];
@@ -53,7 +44,7 @@ TEST_P(InWorld, APaddleThatIsStoppedByTheNetTouchesIt)
 {
   for (const double speed : {0.2, 3.0, 20.0})
   {
-    FlownMatch match(me, {0.5, 0.0, 0.85});
+    FlownMatch match(me, {0.25, 0.0, 0.94});
     const std::size_t paddle = match.umpire.court().racket[index(match.umpire.endOf(me))];
     match.world.command(paddle, velocityCommand({-side * speed, 0, 0}));
     match.toss({side * 1.6, 0.5, 1.05}, 4.0);
