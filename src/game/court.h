@@ -47,6 +47,8 @@ struct Court
   Pose X_WB;                                        ///< of that body
   Pose X_BT;                                        ///< T in the frame of that body
   std::array<std::size_t, 2> racket{kNone, kNone};  ///< index of the paddle at each end, by index(End)
+  std::array<double, 2> racket_reach{};             ///< of any point of it from its body's origin [m]
+  double net_reach = 0.0;                           ///< of any point of the net assembly from the plane x = 0 of T [m]
 
   struct ShapeRole
   {

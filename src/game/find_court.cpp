@@ -102,20 +102,26 @@ void giveRoles(const Scene& scene, const Top& top, Court& court)
     }
 }
 
+/// How far a shape goes along an axis of T, from the origin of T [m].
+double extent(const Court& court, const Body& body, const Shape& shape, const Vector3d& axis_T)
+{
+  const Vector3d axis_W = court.X_WT.q * axis_T;
+  return supportDistance(shape, body.pose.q.conjugate() * axis_W) + axis_W.dot(body.pose.p - court.X_WT.p);
+}
+
 void measureNet(const Scene& scene, Court& court)
 {
-  for (const Body& body : scene.bodies)
-    for (const Shape& shape : body.shapes)
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (std::size_t s = 0; s < scene.bodies[b].shapes.size(); ++s)
     {
-      if (body.kind != BodyKind::Static || materialOf(scene, shape) != "net") continue;
-      const Vector3d p_T = court.positionInT(body.pose.p + body.pose.q * shape.p_BS);
-      const auto extent = [&](const Vector3d& axis_T)
-      {
-        return supportDistance(shape, body.pose.q.conjugate() * (court.X_WT.q * axis_T)) -
-               (body.pose.q * shape.p_BS).dot(court.X_WT.q * axis_T);
-      };
-      court.net_height = std::max(court.net_height, p_T.z() + extent(Vector3d::UnitZ()));
-      court.net_half_width = std::max(court.net_half_width, std::abs(p_T.y()) + extent(Vector3d::UnitY()));
+      const Court::ShapeRole& role = court.roles[b][s];
+      if (role.part != Part::Net) continue;
+      const auto reach = [&](const Vector3d& axis_T)
+      { return extent(court, scene.bodies[b], scene.bodies[b].shapes[s], axis_T); };
+      court.net_reach = std::max({court.net_reach, reach(Vector3d::UnitX()), reach(-Vector3d::UnitX())});
+      if (role.name != "net") continue;
+      court.net_height = std::max(court.net_height, reach(Vector3d::UnitZ()));
+      court.net_half_width = std::max({court.net_half_width, reach(Vector3d::UnitY()), reach(-Vector3d::UnitY())});
     }
   if (court.net_height <= 0.0)
     refuse(scene, "no net: a match needs a static shape of material 'net' above the table, as in urdf/table.urdf");
@@ -132,6 +138,11 @@ void findRackets(const Scene& scene, Court& court)
       refuse(scene, "two paddles, '" + scene.bodies[racket].name + "' and '" + scene.bodies[b].name +
                         "', start at the " + name(end) + " end: a match needs one at each");
     racket = b;
+    for (const Shape& shape : scene.bodies[b].shapes)
+    {
+      double& reach = court.racket_reach[index(end)];
+      reach = std::max(reach, shape.p_BS.norm() + boundingRadius(shape));
+    }
   }
   for (const End end : {End::Minus, End::Plus})
     if (court.racket[index(end)] == kNone)

@@ -10,7 +10,8 @@ class World;
 /// True while the racket of that end is within 0.2 mm of the net assembly: a paddle that is stopped by it stays nearer than that.
 bool racketTouchesNet(const World& world, const Court& court, End end);
 
-/// Distance between two convex shapes, 0 where they overlap [m]. It is never too small, and too large by less than 1e-5 m for
-/// shapes of a racket's size.
-double gapBetween(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
+/// Whether two convex shapes are nearer to each other than `limit`, or overlap. A gap that differs from the limit by less than a
+/// millionth of the shapes' size may be taken for either.
+/// @param limit  > 0 [m]
+bool nearerThan(double limit, const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
 }  // namespace ping_pong

@@ -106,15 +106,23 @@ TEST_P(InWorld, ATableThatIsMovedMakesALetAndIsTheCourtFromThenOn)
 
 TEST(Gap, IsThatOfClosedForms)
 {
+  const auto expectGap = [](double gap, const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB)
+  {
+    EXPECT_FALSE(nearerThan(gap - 1e-5, a, X_WA, b, X_WB)) << gap;
+    EXPECT_TRUE(nearerThan(gap + 1e-5, a, X_WA, b, X_WB)) << gap;
+    EXPECT_FALSE(nearerThan(gap - 1e-5, b, X_WB, a, X_WA)) << gap;
+    EXPECT_TRUE(nearerThan(gap + 1e-5, b, X_WB, a, X_WA)) << gap;
+  };
   const Shape box = boxShape({2, 2, 2});
-  EXPECT_NEAR(gapBetween(box, at({0, 0, 0}), box, at({3, 0.5, 0.5})), 1.0, 1e-9);         // faces
-  EXPECT_NEAR(gapBetween(box, at({0, 0, 0}), box, at({4, 4, 0})), std::sqrt(8.0), 1e-9);  // edges
-  EXPECT_NEAR(gapBetween(box, at({0, 0, 0}), sphereShape(0.5), at({2, 2, 2})), std::sqrt(3.0) - 0.5, 1e-9);
-  const Pose turned = at({0, 0, 1.0 + std::sqrt(2.0) + 0.3}, kPi / 4, {1, 0, 0});  // an edge over a face
-  EXPECT_NEAR(gapBetween(box, at({0, 0, 0}), box, turned), 0.3, 1e-5);
-  const Pose lying = at({0, 0, 1.7}, kPi / 2, {0, 1, 0});
-  EXPECT_NEAR(gapBetween(box, at({0, 0, 0}), cylinderShape(0.5, 1.0), lying), 0.2, 1e-5);
-  EXPECT_LT(gapBetween(box, at({0, 0, 0}), box, at({1.9, 0, 0})), 1e-12);  // overlap
+  const Pose here = at({0, 0, 0});
+  expectGap(1.0, box, here, box, at({3, 0.5, 0.5}));                                     // faces
+  expectGap(std::sqrt(8.0), box, here, box, at({4, 4, 0}));                              // edges
+  expectGap(std::sqrt(3.0) - 0.5, box, here, sphereShape(0.5), at({2, 2, 2}));           // a corner
+  expectGap(0.3, box, here, box, at({0, 0, 1.3 + std::sqrt(2.0)}, kPi / 4, {1, 0, 0}));  // an edge over a face
+  expectGap(0.2, box, here, cylinderShape(0.5, 1.0), at({0, 0, 1.7}, kPi / 2, {0, 1, 0}));
+  expectGap(0.3, box, here, box,
+            at({0, 0, 1.3 + std::cos(0.01) + std::sin(0.01)}, 0.01, {1, 0, 0}));  // almost parallel
+  EXPECT_TRUE(nearerThan(1e-9, box, here, box, at({1.9, 0, 0})));                 // overlap
 }
 }  // namespace
 }  // namespace ping_pong
