@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 const fs::path kSource = SOURCE_DIR;
 const fs::path kCore = kSource / "src" / "core";
+const fs::path kGame = kSource / "src" / "game";
 
 // Bottom to top: a room includes only itself, those before it, and the public headers.
 const std::vector<std::string> kRooms = {"base",  "geometry", "evolve", "resolve", "detect",  "paddle",  "scene",
@@ -96,7 +97,7 @@ TEST(Architecture, PhysicsKnowsNoRos)
 {
   const std::vector<std::string> kRos = {
       "ros/", "tf2", "rviz/", "geometry_msgs/", "visualization_msgs/", "ping_pong_sim/Ball", "std_msgs/"};
-  for (const fs::path& folder : {kCore, kSource / "include", kSource / "src" / "apps", kSource / "bench"})
+  for (const fs::path& folder : {kCore, kSource / "include", kGame, kSource / "src" / "apps", kSource / "bench"})
     for (const fs::path& file : sourcesIn(folder))
       for (const std::string& include : includesOf(file))
         for (const std::string& ros : kRos) EXPECT_FALSE(startsWith(include, ros)) << file << " includes " << include;
@@ -109,9 +110,22 @@ TEST(Architecture, PublicHeadersNeedNoneOfTheCore)
       EXPECT_FALSE(fs::exists(kCore / include)) << file << " includes " << include;
 }
 
+// The game sees of the physics what any other project would.
+TEST(Architecture, TheGameIncludesPublicHeadersOnly)
+{
+  for (const fs::path& file : sourcesIn(kGame))
+    for (const std::string& include : includesOf(file))
+    {
+      if (include.find('/') == std::string::npos) continue;  // of the standard library
+      EXPECT_TRUE(startsWith(include, "game/") || startsWith(include, "ping_pong_sim/") ||
+                  startsWith(include, "Eigen/"))
+          << file << " includes " << include;
+    }
+}
+
 TEST(Architecture, EveryHeaderBeginsWithItsPurposeAndIsShort)
 {
-  for (const fs::path& folder : {kCore, kSource / "include", kSource / "src" / "ros", kSource / "src" / "apps"})
+  for (const fs::path& folder : {kCore, kGame, kSource / "include", kSource / "src" / "ros", kSource / "src" / "apps"})
     for (const fs::path& file : sourcesIn(folder))
     {
       if (file.extension() != ".h") continue;
