@@ -109,6 +109,7 @@ TEST_P(Umpiring, ABallThatSpinsBackOverTheNetIsLostOnTheOpponentsCourt)
 {
   match.goodService();
   match.net();
+  EXPECT_EQ(match.said(), "");
   match.court(match.server());
   EXPECT_EQ(match.said(), "point 2.10.1.3 " + s());
 }

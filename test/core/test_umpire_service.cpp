@@ -197,6 +197,13 @@ TEST_P(Serving, AServiceThatTheReceiverObstructs)
   };
   EXPECT_EQ(obstructed(true), "let 2.9.1.1");
   EXPECT_EQ(obstructed(false), "point 2.10.1.6 " + s());
+
+  MatchScript out(GetParam());  // past the end line already: no service any more that could be good
+  out.service();
+  out.court(out.server());
+  out.net();
+  out.racketAt(out.receiver(), {sign(out.receiver()) * 1.5, 0, 0.3}, {sign(out.receiver()) * 4.0, 0, 0});
+  EXPECT_EQ(out.said(), "fault 2.6.3 " + r());
 }
 
 TEST_P(Serving, AServiceStruckTwiceIsLost)

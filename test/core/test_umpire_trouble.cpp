@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 
 #include "match_script.h"
 
@@ -146,6 +147,85 @@ TEST_P(Trouble, ServicesOutOfTurnAreRefused)
   EXPECT_FALSE(match.umpire().putInPlay(match.time, {1, kBallRadius, GetParam()}));
   EXPECT_EQ(match.umpire().putInPlay(match.time, {2, kBallRadius, GetParam()}).reason, "ball 1 is in play");
   EXPECT_EQ(match.said(), "");
+}
+
+/// Anything that can be told, at random.
+void tellAnything(MatchScript& match, std::mt19937& random)
+{
+  const End end = random() % 2 ? End::Plus : End::Minus;
+  const double side = sign(end);
+  switch (random() % 16)
+  {
+    case 0:
+    case 1:
+      match.hold();
+      match.throwUp(0.2);
+      return match.strikeTossed(0.2);
+    case 2:
+    case 3:
+      return match.court(match.server());
+    case 4:
+    case 5:
+      return match.court(match.receiver());
+    case 6:
+      return match.racket(end);
+    case 7:
+      return match.net();
+    case 8:
+      return match.floor();
+    case 9:
+      return match.side(end);
+    case 10:
+      return match.seen(match.ball(side * 1.0, 0, 0.3));
+    case 11:
+      match.hold();
+      return match.throwUp(0.1);
+    case 12:
+      return static_cast<void>(match.umpire().receiverNotReady(match.time));
+    case 13:
+      return match.umpire().racketTouchedNet(match.time, end);
+    case 14:
+      if (random() % 50 == 0) match.anotherBall();
+      return;
+    default:
+      if (random() % 50 == 0) match.time -= 0.5;
+      return;
+  }
+}
+
+// Whatever happens, a rally is decided once, and scores are those of a game of table tennis.
+TEST(AnythingTold, LeavesALegalScore)
+{
+  std::mt19937 random(7);
+  MatchScript match(Player::A);
+  int sum = 0, decided = 0, matches = 0;
+  bool open = false;  // a rally that may be decided
+  for (int i = 0; i < 100000; ++i)
+  {
+    open |= match.umpire().ball().has_value();
+    tellAnything(match, random);
+    open |= match.umpire().ball().has_value();
+    for (const Call& call : match.umpire().takeCalls())
+    {
+      const auto& [a, b] = call.score.points;
+      ASSERT_FALSE(std::max(a, b) > 11 && std::abs(a - b) > 2) << a << ":" << b;
+      ASSERT_FALSE(std::max(a, b) > 10 && std::abs(a - b) > 1 && !call.score.game_won) << a << ":" << b;
+      if (call.kind == CallKind::Point || call.kind == CallKind::Fault)
+      {
+        ASSERT_EQ(a + b, sum + 1) << call.reason;
+        sum = call.score.game_won ? 0 : a + b;
+        ++decided;
+      }
+      matches += call.kind == CallKind::Match;
+      ASSERT_TRUE(call.kind == CallKind::Game || call.kind == CallKind::Match || call.kind == CallKind::ChangeEnds ||
+                  call.kind == CallKind::Expedite || open)
+          << call.reason;
+      open = match.umpire().ball().has_value();
+    }
+    if (match.umpire().phase() == Phase::MatchOver) match.umpire().newMatch(match.time);
+  }
+  EXPECT_GT(decided, 10000);
+  EXPECT_GT(matches, 100);
 }
 
 std::string refusalOf(const Scene& scene)
