@@ -19,6 +19,9 @@ constexpr double kServeLine = 0.03;        // a serve is struck so far behind th
 constexpr double kServeHeight = 0.20;      // of the centre when a serve is struck [m]
 constexpr double kLessSpin[] = {1.0, 0.7, 0.4, 0.0};        // of the change that is wished, until the racket can do it
 constexpr double kSwings[] = {0.11, 0.08, 0.055, 0.035, 0.0};  // length of the swing [s]; 0: at once from where the racket is
+constexpr double kLongestDirect = 0.25;     // a way without a swing bends far out in more time [s]
+constexpr double kBetweenLooks = 0.015;     // at an approach [s]
+constexpr double kLeaving = 0.05;           // so long the racket may still be where it should not go to [s]
 constexpr double kFollows[] = {0.12, 0.07, 0.045};          // [s]
 
 struct Box
@@ -156,19 +159,21 @@ bool StrokePlanner::aim(StrokePlan& plan, bool serve) const
 
 bool StrokePlanner::clear(const RacketPath& path, const Prediction& prediction, const RacketNow& now) const
 {
-  constexpr int kApproachLooks = 10, kSwingLooks = 8, kFollowLooks = 5;
+  constexpr int kSwingLooks = 8, kFollowLooks = 6;
   const Waypoint& first = path.direct ? path.hit : path.start;
+  const int approach_looks = std::clamp(static_cast<int>((first.time - now.time) / kBetweenLooks), 6, 60);
+  const Box box = reach(court_);
   const auto free = [&](const Pose& pose, double t)
   {
-    if (!blade_.clearOfTable(pose, court_, kMargin)) return false;
+    if (!inside(box, pose.p) || !blade_.clearOfTable(pose, court_, kMargin)) return false;
     const bool before = t < path.hit.time - 0.012 && t > prediction.start();
     return !before || blade_.clearOfBall(pose, prediction.at(t).p_WB, kBallMargin);
   };
-  for (int i = 1; i <= kApproachLooks; ++i)
+  for (int i = 1; i <= approach_looks; ++i)
   {
-    const double s = static_cast<double>(i) / kApproachLooks, t = now.time + s * (first.time - now.time);
+    const double s = static_cast<double>(i) / approach_looks, t = now.time + s * (first.time - now.time);
     const Pose pose{onCubic(now.pose.p, now.twist.v, now.time, first, t), now.pose.q.slerp(smooth(s), path.attitude)};
-    if (i > 2 && !free(pose, t)) return false;  // where it is now it is, and leaves
+    if (t > now.time + kLeaving && !free(pose, t)) return false;  // where it is now it is, and leaves
   }
   if (!path.direct)
     for (int i = 1; i <= kSwingLooks; ++i)
@@ -194,7 +199,7 @@ bool StrokePlanner::layFor(StrokePlan& plan, double swing, double follow, const 
   path.direct = swing == 0.0;
   path.end = {path.hit.time + follow, path.hit.p + 0.5 * follow * path.hit.v, Vector3d::Zero()};
   path.start = {path.hit.time - swing, path.hit.p - 0.5 * swing * path.hit.v, Vector3d::Zero()};
-  if (!path.direct && v > 0.8 * most * swing) return false;
+  if (path.direct ? path.hit.time - now.time > kLongestDirect : v > 0.8 * most * swing) return false;
   const Waypoint& first = path.direct ? path.hit : path.start;
   const double turn = rotationBetween(now.pose.q, path.attitude).norm();
   const double time = first.time - now.time;

@@ -23,7 +23,7 @@ public:
   std::size_t bodyOf(std::size_t player) const { return bodies_[player]; }
   std::size_t playerOf(std::size_t body) const;  ///< whose paddle; or kNone
 
-  double planningTime() const { return planning_; }  ///< of all updates, wall clock [s]
+  double planningTime() const { return planning_; }  ///< of all updates, time of the thread [s]
   double worstPlanning() const { return worst_; }    ///< of one update [s]
   std::uint64_t updates() const { return updates_; }
   double topSpeed() const { return top_speed_; }                ///< of any paddle [m/s]
