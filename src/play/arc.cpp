@@ -58,6 +58,7 @@ double heightAt(const Segment& path, double h, double x, double before)
 
 std::optional<Arc> flyDownTo(const Flyer& flyer, const BallState& state, double height)
 {
+  if (flyer.left != nullptr && --*flyer.left < 0) return std::nullopt;
   Arc arc{0.0, state, kNever, kNever};
   Segment path;
   for (int piece = 0; piece < kMaxPieces && arc.duration < flyer.longest; ++piece)
@@ -68,7 +69,9 @@ std::optional<Arc> flyDownTo(const Flyer& flyer, const BallState& state, double 
     const double last = std::min(down, h);
     arc.over_edge = heightAt(path, last, flyer.edge_x, arc.over_edge);
     arc.over_net = heightAt(path, last, 0.0, arc.over_net);
-    arc.landing = path.state(last);
+    arc.landing.p_WB = path.position(last);
+    arc.landing.v_WB = path.velocity(last);
+    arc.landing.w_WB = path.spin(last);
     arc.duration += last;
     if (down < kNever) return arc;
     if (!arc.landing.p_WB.allFinite()) break;

@@ -23,8 +23,9 @@ struct Flyer
   double tolerance = 1e-7;  ///< position error after a second [m]
   double edge_x = 0.0;      ///< own end of the table [m]
   double longest = 2.5;     ///< longer flights are none [s]
+  int* left = nullptr;      ///< flights that may still be flown: it bounds the work of whoever searches; nullptr: any number
 };
 
-/// From `state` to where the centre comes down through `height`; nothing if it does not in time.
+/// From `state` to where the centre comes down through `height`; nothing if it does not in time, or no flight is left.
 std::optional<Arc> flyDownTo(const Flyer& flyer, const BallState& state, double height);
 }  // namespace ping_pong

@@ -39,6 +39,7 @@ struct Player::Impl
   void follow(const SeenBall& ball, const Observation& now);
   void think(bool refine, const RacketNow& racket, bool serve);
   bool window(bool serve, double& from, double& to) const;
+  bool asPlanned() const;
   StrokeError drawError();
   PaddleCommand goHome(const RacketNow& racket, double tick);
   Vector3d home(double time) const;
@@ -118,12 +119,20 @@ bool Player::Impl::window(bool serve, double& from, double& to) const
   return true;
 }
 
+// The ball is expected at the hit as the plan has it; what is left is less than what a look is wrong by.
+bool Player::Impl::asPlanned() const
+{
+  const BallState at = estimate.prediction().at(plan->path.hit.time);
+  return (at.p_WB - plan->in.p_WB).norm() < 0.1 * level.see_place &&
+         (at.v_WB - plan->in.v_WB).norm() < 0.1 * level.see_velocity;
+}
+
 void Player::Impl::think(bool refine, const RacketNow& racket, bool serve)
 {
   if (plan && racket.time > plan->path.hit.time - kNoMoreChanges) return;
   if (plan)
   {
-    if (!refine) return;
+    if (!refine || asPlanned()) return;
     const std::optional<StrokePlan> better = planner.refined(*plan, estimate.prediction(), racket, error, serve);
     if (better)
     {
@@ -131,8 +140,7 @@ void Player::Impl::think(bool refine, const RacketNow& racket, bool serve)
       return;
     }
   }
-  else if (racket.time < try_again)
-    return;
+  if (racket.time < try_again) return;  // what there is is better than nothing
   double from, to;
   if (!window(serve, from, to)) return plan.reset();
   const bool again = plan.has_value() || failed;

@@ -9,6 +9,7 @@ namespace
 {
 constexpr int kMaxSteps = 16;         // of Broyden's method; it takes 4 to 7
 constexpr int kMaxLonger = 12;        // tries with a longer flight
+constexpr int kMaxFailures = 2;       // of them without a solution
 constexpr double kLonger = 1.08;      // each by so much
 constexpr double kGood = 1e-6;        // residual [m], and time by kTimeScale
 constexpr double kTimeScale = 1.0;    // what a second of flight time counts as [m/s]
@@ -107,10 +108,12 @@ std::optional<AimedShot> shotToTarget(const Flyer& flyer, const Vector3d& p, con
     return Vector3d(off.x(), off.y(), kTimeScale * (arc->duration - time));
   };
   Vector3d v = guess.isZero() ? parabolaGuess(p, wish.target, time) : guess;
-  for (int i = 0; i < kMaxLonger && time <= wish.longest_time; ++i, time *= kLonger)
+  int failures = 0;
+  for (int i = 0; i < kMaxLonger && time <= wish.longest_time && failures < kMaxFailures; ++i, time *= kLonger)
   {
     const std::optional<Vector3d> found = solve(miss, v);
     v = found ? *found : parabolaGuess(p, wish.target, time * kLonger);
+    failures += !found;
     if (!found) continue;
     miss(v);  // fills the shot
     if (shot.arc.over_net >= wish.least_over_net && shot.arc.over_edge >= wish.least_over_edge) return shot;

@@ -11,13 +11,16 @@ constexpr double kSpare = 0.9;             // of the limits is planned with; the
 constexpr double kMargin = 0.012;          // between racket and table [m]
 constexpr double kBallMargin = 0.010;      // between racket and ball before the hit [m]
 constexpr double kSoonest = 0.02;          // from now to the hit [s]
+constexpr double kMuchTooSoon = 0.6;        // of the time from rest to rest: no need to try
 constexpr double kCandidateStep = 0.010;   // [s]
 constexpr std::size_t kMostCandidates = 5; // of each wish
 constexpr double kApart = 0.035;           // between candidates that are tried [s]
 constexpr double kOverEdge = 0.03;         // gap between ball and own end line when struck from below [m]
 constexpr double kServeLine = 0.03;        // a serve is struck so far behind the end line, the ball's surface [m]
 constexpr double kServeHeight = 0.20;      // of the centre when a serve is struck [m]
-constexpr double kLessSpin[] = {1.0, 0.7, 0.4, 0.0};        // of the change that is wished, until the racket can do it
+constexpr int kMostWork = 300;              // of one plan, in flights: about 2 ms
+constexpr int kWorkOfAPath = 6;             // to look at a path costs as much as so many flights
+constexpr double kLessSpin[] = {1.0, 0.6, 0.3, 0.0};        // of the change that is wished, until the racket can do it
 constexpr double kSwings[] = {0.11, 0.08, 0.055, 0.035, 0.0};  // length of the swing [s]; 0: at once from where the racket is
 constexpr double kLongestDirect = 0.25;     // a way without a swing bends far out in more time [s]
 constexpr double kBetweenLooks = 0.015;     // at an approach [s]
@@ -87,6 +90,8 @@ std::vector<StrokePlanner::Candidate> StrokePlanner::candidates(const Prediction
   {
     const BallState ball = prediction.at(t);
     if (!inside(box, ball.p_WB)) continue;
+    const double way = std::max(0.0, (ball.p_WB - now.pose.p).norm() - 0.1);
+    if (t - now.time < kMuchTooSoon * restToRest(way, limits_.speed, limits_.acceleration)) continue;
     double cost;
     if (serve)
     {
@@ -123,11 +128,12 @@ Vector3d StrokePlanner::spinWish(const StrokeWish& wish, const BallState& in, do
 }
 
 // The ball's way out and the racket's velocity, with as much of the spin as the racket's speed allows.
-bool StrokePlanner::aim(StrokePlan& plan, bool serve) const
+bool StrokePlanner::aim(StrokePlan& plan, bool serve, Flyer flyer, const Vector3d& guess) const
 {
   const Surface& law = blade_.law(plan.face);
   for (const double share : kLessSpin)
   {
+    if (!plan.wish.brush && share < 1.0) return false;
     const Vector3d wanted = spinWish(plan.wish, plan.in, share);
     const SpinOf spin = [&](const Vector3d& v) { return reachableSpin(law, ball_, plan.in, v, wanted); };
     const Vector3d target(plan.wish.target_x, plan.wish.target_y, ball_.radius);
@@ -139,13 +145,14 @@ bool StrokePlanner::aim(StrokePlan& plan, bool serve) const
       { bounce(table_, ball_, ball, Vector3d::Zero(), Vector3d::UnitZ()); };
       for (const double faster : {1.0, 1.2, 0.85, 1.4, 0.7})
         if (!shot)
-          shot = serveToTarget(flyer_, plan.in.p_WB, spin, off,
+          shot = serveToTarget(flyer, plan.in.p_WB, spin, off,
                                {target, plan.wish.own_bounce, faster * plan.wish.speed, over_net});
     }
     else
     {
-      const ShotWish wish = {target, plan.wish.flight_time, 1.3, over_net, ball_.radius + kOverEdge};
-      shot = shotToTarget(flyer_, plan.in.p_WB, spin, wish);
+      const double time = guess.isZero() ? plan.wish.flight_time : plan.shot.arc.duration;
+      const ShotWish wish = {target, time, 1.3, over_net, ball_.radius + kOverEdge};
+      shot = shotToTarget(flyer, plan.in.p_WB, spin, wish, guess);
     }
     if (!shot) continue;
     const std::optional<RacketImpact> impact = invertStroke(law, ball_, plan.in, shot->out.v_WB, wanted);
@@ -169,12 +176,6 @@ bool StrokePlanner::clear(const RacketPath& path, const Prediction& prediction, 
     const bool before = t < path.hit.time - 0.012 && t > prediction.start();
     return !before || blade_.clearOfBall(pose, prediction.at(t).p_WB, kBallMargin);
   };
-  for (int i = 1; i <= approach_looks; ++i)
-  {
-    const double s = static_cast<double>(i) / approach_looks, t = now.time + s * (first.time - now.time);
-    const Pose pose{onCubic(now.pose.p, now.twist.v, now.time, first, t), now.pose.q.slerp(smooth(s), path.attitude)};
-    if (t > now.time + kLeaving && !free(pose, t)) return false;  // where it is now it is, and leaves
-  }
   if (!path.direct)
     for (int i = 1; i <= kSwingLooks; ++i)
     {
@@ -185,6 +186,12 @@ bool StrokePlanner::clear(const RacketPath& path, const Prediction& prediction, 
   {
     const double t = path.hit.time + (path.end.time - path.hit.time) * i / kFollowLooks;
     if (!free({onCubic(path.hit.p, path.hit.v, path.hit.time, path.end, t), path.attitude}, t)) return false;
+  }
+  for (int i = 1; i <= approach_looks; ++i)
+  {
+    const double s = static_cast<double>(i) / approach_looks, t = now.time + s * (first.time - now.time);
+    const Pose pose{onCubic(now.pose.p, now.twist.v, now.time, first, t), now.pose.q.slerp(smooth(s), path.attitude)};
+    if (t > now.time + kLeaving && !free(pose, t)) return false;  // where it is now it is, and leaves
   }
   return true;
 }
@@ -209,7 +216,7 @@ bool StrokePlanner::layFor(StrokePlan& plan, double swing, double follow, const 
 }
 
 bool StrokePlanner::lay(StrokePlan& plan, double time, const Prediction& prediction, const RacketNow& now,
-                        const StrokeError& error) const
+                        const StrokeError& error, int& work) const
 {
   const Vector3d level = plan.impact.n_W.cross(Vector3d::UnitZ()).normalized();
   const Quaterniond off = Quaterniond(Eigen::AngleAxisd(error.pitch, level)) *
@@ -220,7 +227,10 @@ bool StrokePlanner::lay(StrokePlan& plan, double time, const Prediction& predict
                    (1.0 + error.speed) * plan.impact.v_WP};
   for (const double swing : kSwings)
     for (const double follow : kFollows)
+    {
+      work -= kWorkOfAPath;
       if (layFor(plan, swing, follow, prediction, now)) return true;
+    }
   return false;
 }
 
@@ -228,14 +238,18 @@ std::optional<StrokePlan> StrokePlanner::plan(const Prediction& prediction, doub
                                               const RacketNow& now, const std::vector<StrokeWish>& wishes,
                                               const StrokeError& error, bool serve) const
 {
+  int work = kMostWork;
+  Flyer flyer = flyer_;
+  flyer.left = &work;
   for (const StrokeWish& wish : wishes)
     for (const Candidate& candidate : candidates(prediction, from, to, now, wish, serve))
     {
+      if (work <= 0) return std::nullopt;
       StrokePlan plan;
       plan.wish = wish;
       plan.in = prediction.at(candidate.time);
       plan.face = plan.in.p_WB.y() < 0.05 || serve ? Face::Forehand : Face::Backhand;
-      if (aim(plan, serve) && lay(plan, candidate.time, prediction, now, error)) return plan;
+      if (aim(plan, serve, flyer, Vector3d::Zero()) && lay(plan, candidate.time, prediction, now, error, work)) return plan;
     }
   return std::nullopt;
 }
@@ -245,7 +259,10 @@ std::optional<StrokePlan> StrokePlanner::refined(const StrokePlan& plan, const P
 {
   StrokePlan better = plan;
   better.in = prediction.at(plan.path.hit.time);
-  if (!aim(better, serve) || !lay(better, plan.path.hit.time, prediction, now, error)) return std::nullopt;
+  int work = kMostWork;
+  Flyer flyer = flyer_;
+  flyer.left = &work;
+  if (!aim(better, serve, flyer, plan.shot.out.v_WB) || !lay(better, plan.path.hit.time, prediction, now, error, work)) return std::nullopt;
   return better;
 }
 }  // namespace ping_pong

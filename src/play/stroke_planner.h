@@ -62,9 +62,9 @@ private:
   };
   std::vector<Candidate> candidates(const Prediction& prediction, double from, double to, const RacketNow& now,
                                     const StrokeWish& wish, bool serve) const;
-  bool aim(StrokePlan& plan, bool serve) const;
+  bool aim(StrokePlan& plan, bool serve, Flyer flyer, const Vector3d& guess) const;
   bool lay(StrokePlan& plan, double time, const Prediction& prediction, const RacketNow& now,
-           const StrokeError& error) const;
+           const StrokeError& error, int& work) const;
   bool layFor(StrokePlan& plan, double swing, double follow, const Prediction& prediction, const RacketNow& now) const;
   bool clear(const RacketPath& path, const Prediction& prediction, const RacketNow& now) const;
   Vector3d spinWish(const StrokeWish& wish, const BallState& in, double share) const;
