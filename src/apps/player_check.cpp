@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "command_line.h"
+#include "drills.h"
 #include "measured_data.h"
 #include "ping_pong_sim/scene_loader.h"
 #include "ping_pong_sim/shots.h"
 #include "progress.h"
-#include "trial.h"
 
 namespace ping_pong
 {
@@ -48,11 +48,12 @@ Options optionsFrom(int argc, char** argv)
   const OptionGroup input = {"Input",
                              {{"--scene", "FILE", "with paddle_a and paddle_b", into(options.scene, fileName)},
                               {"--data", "DIR", "measured launches", into(options.data, anyText)}}};
-  const CommandLine line = {"player_check",
-                            "How well the computer player returns launched balls, lands them on its targets, serves, and keeps\n"
-                            "a rally with itself; and how long it thinks.",
-                            {who, what, input},
-                            "Exit status: 0; 2 bad input."};
+  const CommandLine line = {
+      "player_check",
+      "How well the computer player returns launched balls, lands them on its targets, serves, and keeps\n"
+      "a rally with itself; and how long it thinks.",
+      {who, what, input},
+      "Exit status: 0; 2 bad input."};
   options.help = parse(line, argc, argv);
   return options;
 }
@@ -86,10 +87,11 @@ struct Tally
     for (const auto& [outcome, count] : outcomes) all += count;
     const auto of = [&](Outcome outcome) { return outcomes.count(outcome) ? outcomes.at(outcome) : 0; };
     const std::size_t due = all - of(Outcome::NotItsHalf);
-    std::printf("%-10s %5zu of %5zu returned (%.1f %%); landing error median %.2f cm, 95 %% %.2f cm; most spin %.0f rad/s;",
-                what.c_str(), of(Outcome::Returned), due,
-                due > 0 ? 100.0 * static_cast<double>(of(Outcome::Returned)) / static_cast<double>(due) : 0.0,
-                100.0 * percentile(errors, 0.5), 100.0 * percentile(errors, 0.95), most_spin);
+    std::printf(
+        "%-10s %5zu of %5zu returned (%.1f %%); landing error median %.2f cm, 95 %% %.2f cm; most spin %.0f rad/s;",
+        what.c_str(), of(Outcome::Returned), due,
+        due > 0 ? 100.0 * static_cast<double>(of(Outcome::Returned)) / static_cast<double>(due) : 0.0,
+        100.0 * percentile(errors, 0.5), 100.0 * percentile(errors, 0.95), most_spin);
     for (const auto& [outcome, count] : outcomes)
       if (outcome != Outcome::Returned) std::printf(" %zu %s;", count, name(outcome));
     for (const auto& [stroke, count] : strokes) std::printf(" %s %zu", name(stroke), count);
@@ -167,11 +169,13 @@ void checkRallies(Trial& trial, const Options& options)
 
 void printCost(const char* what, const Trial& trial)
 {
-  std::printf("%s: planning %.2f us a tick on average, %.2f ms at worst; racket %.1f m/s, %.0f m/s2 at most; stopped by the table in "
-              "%llu ticks\n",
-              what, 1e6 * trial.planningTime() / static_cast<double>(std::max<std::uint64_t>(1, trial.updates())),
-              1e3 * trial.worstPlanning(), trial.topSpeed(), trial.topAcceleration(),
-              static_cast<unsigned long long>(trial.blocked()));
+  std::printf(
+      "%s: planning %.2f us a tick on average, %.2f ms at worst; racket %.1f m/s, %.0f m/s2 at most; stopped by the "
+      "table in "
+      "%llu ticks\n",
+      what, 1e6 * trial.planningTime() / static_cast<double>(std::max<std::uint64_t>(1, trial.updates())),
+      1e3 * trial.worstPlanning(), trial.topSpeed(), trial.topAcceleration(),
+      static_cast<unsigned long long>(trial.blocked()));
 }
 
 int run(int argc, char** argv)

@@ -12,8 +12,9 @@ struct Arc
 {
   double duration = 0.0;  ///< [s]
   BallState landing;      ///< when the centre has come down to the height
-  double over_edge;       ///< height of the centre where x passes the own end of the table [m]; infinite if it starts beyond it
-  double over_net;        ///< the same above the net; infinite if it does not pass it on the way to +x
+  double
+      over_edge;  ///< height of the centre where x passes the own end of the table [m]; infinite if it starts beyond it
+  double over_net;  ///< the same above the net; infinite if it does not pass it on the way to +x
 };
 
 /// What an arc is flown with.
@@ -23,7 +24,8 @@ struct Flyer
   double tolerance = 1e-7;  ///< position error after a second [m]
   double edge_x = 0.0;      ///< own end of the table [m]
   double longest = 2.5;     ///< longer flights are none [s]
-  int* left = nullptr;      ///< flights that may still be flown: it bounds the work of whoever searches; nullptr: any number
+  int* left =
+      nullptr;  ///< flights that may still be flown: it bounds the work of whoever searches; nullptr: any number
 };
 
 /// From `state` to where the centre comes down through `height`; nothing if it does not in time, or no flight is left.

@@ -11,10 +11,10 @@ namespace
 constexpr double kSamePlace = 1e-4, kSameVelocity = 1e-3, kSameSpin = 0.1;  // [m], [m/s], [rad/s]
 // A touch changes at least so much at once; errors of looks come on top, so many deviations of them.
 constexpr double kJump = 0.02, kVelocityJump = 0.5, kDeviations = 6.0;  // [m], [m/s]
-constexpr double kElsewhere = 0.3;       // a ball that was put somewhere else [m]
-constexpr double kStrikersHalf = -0.10;  // the opponent strikes beyond this x [m]
+constexpr double kElsewhere = 0.3;                                      // a ball that was put somewhere else [m]
+constexpr double kStrikersHalf = -0.10;                                 // the opponent strikes beyond this x [m]
 constexpr double kExactGuard = 1e-5, kGuard = 0.02;  // about a predicted bounce looks tell nothing [s]
-constexpr std::size_t kMostLooks = 12;   // in the mean
+constexpr std::size_t kMostLooks = 12;               // in the mean
 }  // namespace
 
 BallEstimate::BallEstimate(const Scene& scene, const Court& court, const BallParams& ball, const LevelTraits& level,
@@ -65,7 +65,8 @@ BallEstimate::News BallEstimate::adopt(const PathSample& seen)
   const Vector3d dp = seen.state.p_WB - expected.p_WB, dv = seen.state.v_WB - expected.v_WB;
   const bool exact = perception_.exact();
   const double blur = exact ? 0.0 : kDeviations;
-  const bool jump = dp.norm() > kJump + blur * level_.see_place || dv.norm() > kVelocityJump + blur * level_.see_velocity;
+  const bool jump =
+      dp.norm() > kJump + blur * level_.see_place || dv.norm() > kVelocityJump + blur * level_.see_velocity;
   if (!known || jump)
   {
     const bool elsewhere = prediction_.empty() || dp.norm() > kElsewhere;

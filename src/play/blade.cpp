@@ -8,8 +8,9 @@ namespace ping_pong
 {
 Blade::Blade(const Scene& scene, const std::string& paddle, const BallParams& ball) : ball_radius_(ball.radius)
 {
-  const auto found = std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body)
-                                  { return body.name == paddle && body.kind == BodyKind::Kinematic; });
+  const auto found =
+      std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                   [&](const Body& body) { return body.name == paddle && body.kind == BodyKind::Kinematic; });
   if (found == scene.bodies.end())
     throw std::invalid_argument("paddle: " + paddle + ": expected the name of a kinematic body");
   shapes_ = found->shapes;
@@ -56,6 +57,14 @@ bool Blade::clearOfTable(const Pose& pose, const Court& court, double margin) co
   if (before_net && -extent(pose, -Vector3d::UnitZ()) > margin) return true;
   const double beside = court.halfWidth() + margin;
   return before_net && (-extent(pose, -Vector3d::UnitY()) > beside || extent(pose, Vector3d::UnitY()) < -beside);
+}
+
+bool Blade::stopsBeforeTable(const Pose& pose, const Vector3d& v, double acceleration, const Court& court,
+                             double margin) const
+{
+  const Vector3d way = (0.5 * v.norm() / acceleration) * v;
+  return clearOfTable({pose.p + 0.5 * way, pose.q}, court, margin) &&
+         clearOfTable({pose.p + way, pose.q}, court, margin);
 }
 
 bool Blade::clearOfBall(const Pose& pose, const Vector3d& ball, double margin) const

@@ -29,6 +29,9 @@ public:
 
   /// Surely clear of table and net by `margin`: above the playing surface, or before the end line, or beside the table; never over the net.
   bool clearOfTable(const Pose& pose, const Court& court, double margin) const;
+  /// It stays clear of the table if it now brakes with this acceleration [m/s^2].
+  bool stopsBeforeTable(const Pose& pose, const Vector3d& v, double acceleration, const Court& court,
+                        double margin) const;
   /// The ball's surface is farther than `margin` from blade and handle, roughly.
   bool clearOfBall(const Pose& pose, const Vector3d& ball, double margin) const;
 

@@ -6,21 +6,22 @@
 #include <stdexcept>
 
 #include "ball_estimate.h"
+#include "ready_position.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr double kReadyBack = 0.45, kReadyHeight = 0.20;   // behind the end line, above the surface [m]
-constexpr double kReturnTime = 0.30;                       // to the ready place, if nothing hurries [s]
-constexpr double kEase = 0.5;                              // of the limits, on that way
-constexpr double kLookAgain = 0.040;                       // until a plan is tried again that was not found [s]
-constexpr double kNoMoreChanges = 0.015;                   // before the hit a stroke is as it is [s]
-constexpr double kHandBack = 0.22, kHandHeight = 0.08;     // of the free hand: behind the end line, above the surface [m]
-constexpr double kTossSpeed = 2.5;                         // rises by 30 cm; the law asks for 16 [m/s]
-constexpr double kServeSide = -0.15;                       // the hand is so far to the right [m]
-constexpr double kInHand = 0.25;                           // a ball slower than this is not in play yet [m/s]
-constexpr double kKeepAway = 0.35, kDodge = 0.60;          // from a ball that is going out [m]
+constexpr double kLookAgain = 0.040;                    // until a plan is tried again that was not found [s]
+constexpr double kNoMoreChanges = 0.015;                // before the hit a stroke is as it is [s]
+constexpr double kHandBack = 0.22, kHandHeight = 0.08;  // of the free hand: behind the end line, above the surface [m]
+constexpr double kTossSpeed = 2.5;                      // rises by 30 cm; the law asks for 16 [m/s]
+constexpr double kServeSide = -0.15;                    // the hand is so far to the right [m]
+constexpr double kServeError = 0.4;                     // of the errors of a stroke: the ball is one's own
+constexpr double kServeAside = 0.25;                    // and the racket waits so far aside of it [m]
+constexpr double kInHandReach = 0.10;                   // a still ball so near to the hand is in it [m]
+constexpr double kTick = 1e-3;                          // if none is told [s]
+constexpr double kInHand = 0.25;                        // a ball slower than this is not in play yet [m/s]
 constexpr double kFar = 1e9;
 
 BallParams ballOf(const Scene& scene)
@@ -36,14 +37,16 @@ struct Player::Impl
 
   PaddleCommand update(const Observation& now);
   const SeenBall* ballToPlay(const Observation& now);
-  void follow(const SeenBall& ball, const Observation& now);
+  void follow(const SeenBall& ball, const Observation& now, const RacketNow& racket);
+  void forgetBall();
+  void reset();
+  BallState toss() const;
   void think(bool refine, const RacketNow& racket, bool serve);
   bool window(bool serve, double& from, double& to) const;
   bool asPlanned() const;
   StrokeError drawError();
-  PaddleCommand goHome(const RacketNow& racket, double tick);
-  Vector3d home(double time) const;
   PaddleCommand toWorld(PaddleCommand command) const;
+  PaddleCommand moved(const RacketNow& racket, double tick);
 
   PlayerParams params;
   LevelTraits level;
@@ -51,17 +54,16 @@ struct Player::Impl
   BallParams ball;
   Blade blade;
   RacketDrive drive;
+  ReadyPosition ready;
   StrokePlanner planner;
   BallEstimate estimate;
   Random random;
-  Quaterniond ready_attitude;
   std::optional<StrokePlan> plan;
   StrokeError error;
-  std::optional<Waypoint> way_home;
   bool served = false, serving = false, failed = false;
   bool has_ball = false;
   BallId ball_id = 0;
-  double try_again = 0.0;
+  double try_again = 0.0, last_time = -kFar;
   std::uint64_t plans = 0, unplayable = 0;
 };
 
@@ -72,13 +74,11 @@ Player::Impl::Impl(const Scene& scene, const PlayerParams& its_params)
       ball(ballOf(scene)),
       blade(scene, params.paddle, ball),
       drive(limitsOf(blade.limits(), level)),
+      ready(court, blade, drive),
       planner(scene, court, blade, ball, drive.limits()),
       estimate(scene, court, ball, level, params.seed),
       random(params.seed, 0)
 {
-  Matrix3d edge_on;  // tip to the net, forehand to the left: a quarter turn to either stroke
-  edge_on << 0, 0, 1, 1, 0, 0, 0, 1, 0;
-  ready_attitude = Quaterniond(edge_on);
 }
 
 // The one that was followed, while it is there and comes; else the soonest of those that come to this end.
@@ -101,11 +101,12 @@ const SeenBall* Player::Impl::ballToPlay(const Observation& now)
 
 StrokeError Player::Impl::drawError()
 {
+  const double share = serving ? kServeError : 1.0;
   StrokeError drawn;
-  for (int i = 0; i < 3; ++i) drawn.place[i] = level.place * random.normal();
-  drawn.pitch = level.angle * random.normal();
-  drawn.yaw = level.angle * random.normal();
-  drawn.speed = level.stroke_speed * random.normal();
+  for (int i = 0; i < 3; ++i) drawn.place[i] = share * level.place * random.normal();
+  drawn.pitch = share * level.angle * random.normal();
+  drawn.yaw = share * level.angle * random.normal();
+  drawn.speed = share * level.stroke_speed * random.normal();
   return drawn;
 }
 
@@ -156,23 +157,41 @@ void Player::Impl::think(bool refine, const RacketNow& racket, bool serve)
   try_again = racket.time + kLookAgain;
 }
 
-void Player::Impl::follow(const SeenBall& seen, const Observation& now)
+void Player::Impl::forgetBall()
 {
-  if (!has_ball || seen.id != ball_id)
-  {
-    estimate.forget();
-    plan.reset();
-    has_ball = true;
-    ball_id = seen.id;
-  }
+  has_ball = false;
+  estimate.forget();
+  plan.reset();
+}
+
+void Player::Impl::reset()
+{
+  forgetBall();
+  ready.leave();
+  served = serving = failed = false;
+  try_again = 0.0;
+}
+
+BallState Player::Impl::toss() const
+{
+  BallState thrown;
+  thrown.p_WB = Vector3d(-court.halfLength() - kHandBack, kServeSide, kHandHeight);
+  thrown.v_WB = Vector3d(0.0, 0.0, kTossSpeed);
+  return court.toWorld(thrown);
+}
+
+void Player::Impl::follow(const SeenBall& seen, const Observation& now, const RacketNow& racket)
+{
+  if (!has_ball || seen.id != ball_id) forgetBall();
+  has_ball = true;
+  ball_id = seen.id;
   BallState state;
   state.p_WB = seen.p_WB;
   state.v_WB = seen.v_WB;
   state.w_WB = seen.w_WB;
-  const RacketNow racket{now.time, court.toOwn(now.pose),
-                         {court.turnedToOwn(now.twist.v), court.turnedToOwn(now.twist.w)}};
-  const bool in_hand = now.to_serve && !served && seen.v_WB.norm() < kInHand && !serving;
-  if (in_hand) return;
+  const bool still = seen.v_WB.norm() < kInHand;
+  if (now.to_serve && still && (seen.p_WB - toss().p_WB).norm() < kInHandReach) served = serving = false;
+  if (now.to_serve && still && !served && !serving) return;  // in the hand
   serving = now.to_serve && !served;
   estimate.feel(serving);
   const BallEstimate::News news = estimate.update(now.time, court.toOwn(state));
@@ -185,44 +204,6 @@ void Player::Impl::follow(const SeenBall& seen, const Observation& now)
   think(news == BallEstimate::News::Changed, racket, serving);
 }
 
-Vector3d Player::Impl::home(double time) const
-{
-  Vector3d place(-court.halfLength() - kReadyBack, serving || (!has_ball && served) ? kServeSide - 0.25 : 0.0, kReadyHeight);
-  double from, to;
-  const Prediction& prediction = estimate.prediction();
-  if (prediction.empty() || estimate.mine() || estimate.window(from, to)) return place;
-  for (double t = time; t < std::min(time + 0.5, prediction.end()); t += 0.02)
-  {
-    const BallState at = prediction.at(t);
-    if (at.v_WB.x() < 0.0 && (at.p_WB - place).norm() < kKeepAway)
-    {
-      place.y() = at.p_WB.y() + (at.p_WB.y() > place.y() ? -kDodge : kDodge);
-      break;
-    }
-  }
-  return place;
-}
-
-PaddleCommand Player::Impl::goHome(const RacketNow& racket, double tick)
-{
-  const Vector3d place = home(racket.time);
-  const bool moved = way_home && (way_home->p - place).norm() > 0.05;
-  if (!way_home || moved)
-  {
-    const DriveLimits& limits = drive.limits();
-    const double way = (place - racket.pose.p).norm() + 0.5 * racket.twist.v.norm() * kReturnTime;
-    const double turn = rotationBetween(racket.pose.q, ready_attitude).norm();
-    const double time = std::max({kReturnTime, restToRest(way, kEase * limits.speed, kEase * limits.acceleration),
-                                  restToRest(turn, kEase * limits.angular_speed, kEase * limits.angular_acceleration)});
-    way_home = Waypoint{racket.time + time, place, Vector3d::Zero()};
-  }
-  if (racket.time < way_home->time)
-    return drive.command(racket.pose, racket.twist, racket.time, tick, *way_home, ready_attitude, way_home->time);
-  Waypoint stay = *way_home;
-  stay.time = racket.time + 10.0 * tick;
-  return drive.command(racket.pose, racket.twist, racket.time, tick, stay, ready_attitude, stay.time);
-}
-
 PaddleCommand Player::Impl::toWorld(PaddleCommand command) const
 {
   command.a_W = court.turnedToWorld(command.a_W);
@@ -230,38 +211,37 @@ PaddleCommand Player::Impl::toWorld(PaddleCommand command) const
   return command;
 }
 
-PaddleCommand Player::Impl::update(const Observation& now)
+PaddleCommand Player::Impl::moved(const RacketNow& racket, double tick)
 {
-  if (!now.to_serve) served = false;
-  if (const SeenBall* seen = ballToPlay(now))
-    follow(*seen, now);
-  else if (has_ball)
-  {
-    has_ball = false;
-    estimate.forget();
-    plan.reset();
-  }
-  const RacketNow racket{now.time, court.toOwn(now.pose),
-                         {court.turnedToOwn(now.twist.v), court.turnedToOwn(now.twist.w)}};
-  if (!plan) return toWorld(goHome(racket, now.tick));
+  if (plan && racket.time >= plan->path.over() - 1e-9) plan.reset();
+  if (!plan) return ready.command(racket, tick, estimate, serving ? kServeSide - kServeAside : 0.0);
+  ready.leave();
   const RacketPath& path = plan->path;
-  if (now.time >= path.hit.time - 1e-9 && !estimate.mine())
+  if (racket.time >= path.hit.time - 1e-9 && !estimate.mine())
   {
     estimate.struckByMe();
     served = serving;
     serving = false;
     estimate.feel(false);
   }
-  if (now.time >= path.over() - 1e-9)
-  {
-    plan.reset();
-    way_home.reset();
-    return toWorld(goHome(racket, now.tick));
-  }
-  way_home.reset();
-  const Waypoint& goal = path.next(now.time, now.tick);
   const double turned_at = path.direct ? path.hit.time : path.start.time;
-  return toWorld(drive.command(racket.pose, racket.twist, now.time, now.tick, goal, path.attitude, turned_at));
+  return drive.command(racket.pose, racket.twist, racket.time, tick, path.next(racket.time, tick), path.attitude,
+                       turned_at);
+}
+
+PaddleCommand Player::Impl::update(const Observation& now)
+{
+  if (now.time < last_time) reset();  // the world was put back
+  last_time = now.time;
+  if (!now.to_serve) served = false;
+  const RacketNow racket{
+      now.time, court.toOwn(now.pose), {court.turnedToOwn(now.twist.v), court.turnedToOwn(now.twist.w)}};
+  if (const SeenBall* seen = ballToPlay(now))
+    follow(*seen, now, racket);
+  else if (has_ball)
+    forgetBall();
+  const double tick = now.tick > 0.0 ? now.tick : kTick;
+  return toWorld(ready.guarded(moved(racket, tick), racket, tick));
 }
 
 Player::Player(const Scene& scene, const PlayerParams& params) : impl_(std::make_unique<Impl>(scene, params)) {}
@@ -276,25 +256,17 @@ PaddleCommand Player::update(const Observation& now)
 
 BallState Player::toss() const
 {
-  BallState ball;
-  ball.p_WB = Vector3d(-impl_->court.halfLength() - kHandBack, kServeSide, kHandHeight);
-  ball.v_WB = Vector3d(0.0, 0.0, kTossSpeed);
-  return impl_->court.toWorld(ball);
+  return impl_->toss();
 }
 
 Pose Player::ready() const
 {
-  return impl_->court.toWorld(
-      Pose{{-impl_->court.halfLength() - kReadyBack, 0.0, kReadyHeight}, impl_->ready_attitude});
+  return impl_->court.toWorld(impl_->ready.pose());
 }
 
 void Player::reset()
 {
-  impl_->estimate.forget();
-  impl_->plan.reset();
-  impl_->way_home.reset();
-  impl_->served = impl_->serving = impl_->failed = impl_->has_ball = false;
-  impl_->try_again = 0.0;
+  impl_->reset();
 }
 
 const Court& Player::court() const

@@ -61,8 +61,8 @@ public:
   // To look at: plans and predictions for markers and tests. Frame O of court().
   const Court& court() const;
   const Prediction& prediction() const;
-  const StrokePlan* plan() const;  ///< of the stroke in hand or just made; nullptr: none
-  std::uint64_t plans() const;     ///< made since the start
+  const StrokePlan* plan() const;    ///< of the stroke in hand or just made; nullptr: none
+  std::uint64_t plans() const;       ///< made since the start
   std::uint64_t unplayable() const;  ///< balls that came and for which no stroke was found
 
 private:

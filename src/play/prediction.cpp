@@ -7,9 +7,9 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kStep = 0.010;    // between samples [s]; with it the cubic is off by (a''/384) kStep^4, 5e-9 m at 20 m/s
-constexpr double kHorizon = 3.0;   // a lob takes 2 s to its second bounce [s]
-constexpr double kFarAway = 8.0;   // from the table, along or across: nobody plays there [m]
+constexpr double kStep = 0.010;  // between samples [s]; with it the cubic is off by (a''/384) kStep^4, 5e-9 m at 20 m/s
+constexpr double kHorizon = 3.0;  // a lob takes 2 s to its second bounce [s]
+constexpr double kFarAway = 8.0;  // from the table, along or across: nobody plays there [m]
 constexpr std::size_t kRoom = 512;
 
 BallState between(const PathSample& a, const PathSample& b, double time)
@@ -19,9 +19,10 @@ BallState between(const PathSample& a, const PathSample& b, double time)
   const double s = (time - a.time) / h, s2 = s * s, s3 = s2 * s;
   const Vector3d way = b.state.p_WB - a.state.p_WB;
   BallState state = a.state;
-  state.p_WB = a.state.p_WB + (3.0 * s2 - 2.0 * s3) * way +
-               h * ((s3 - 2.0 * s2 + s) * a.state.v_WB + (s3 - s2) * b.state.v_WB);
-  state.v_WB = (6.0 * (s - s2) / h) * way + (3.0 * s2 - 4.0 * s + 1.0) * a.state.v_WB + (3.0 * s2 - 2.0 * s) * b.state.v_WB;
+  state.p_WB =
+      a.state.p_WB + (3.0 * s2 - 2.0 * s3) * way + h * ((s3 - 2.0 * s2 + s) * a.state.v_WB + (s3 - s2) * b.state.v_WB);
+  state.v_WB =
+      (6.0 * (s - s2) / h) * way + (3.0 * s2 - 4.0 * s + 1.0) * a.state.v_WB + (3.0 * s2 - 2.0 * s) * b.state.v_WB;
   state.w_WB = a.state.w_WB + s * (b.state.w_WB - a.state.w_WB);
   return state;
 }

@@ -7,8 +7,8 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kSame = 1e-9;       // of a tick: so near to its end is its end
-constexpr double kTurnTicks = 4.0;   // what is left of a turn is undone in so many ticks
+constexpr double kSame = 1e-9;      // of a tick: so near to its end is its end
+constexpr double kTurnTicks = 4.0;  // what is left of a turn is undone in so many ticks
 constexpr double kInside = 1.0 - 1e-9;
 
 Vector3d clamped(const Vector3d& x, double length)
@@ -41,10 +41,12 @@ Vector3d nextAcceleration(const Vector3d& way, const Vector3d& v, const Vector3d
   return alpha + (T - 0.5 * tick) * beta;
 }
 
-Vector3d onCubic(const Vector3d& p, const Vector3d& v, double time, const Waypoint& goal, double at)
+PathPoint onCubic(const Vector3d& p, const Vector3d& v, double time, const Waypoint& goal, double at)
 {
   const double T = goal.time - time, s = (at - time) / T, s2 = s * s, s3 = s2 * s;
-  return p + (3.0 * s2 - 2.0 * s3) * (goal.p - p) + T * ((s3 - 2.0 * s2 + s) * v + (s3 - s2) * goal.v);
+  const Vector3d way = goal.p - p;
+  return {p + (3.0 * s2 - 2.0 * s3) * way + T * ((s3 - 2.0 * s2 + s) * v + (s3 - s2) * goal.v),
+          (6.0 * (s - s2) / T) * way + (3.0 * s2 - 4.0 * s + 1.0) * v + (3.0 * s2 - 2.0 * s) * goal.v};
 }
 
 bool withinLimits(const Vector3d& p, const Vector3d& v, double time, const Waypoint& goal, double speed,

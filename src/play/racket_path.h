@@ -21,13 +21,19 @@ struct Waypoint
 /// @param way   still to go [m] or [rad]
 /// @param v, v_goal  velocities now and then
 /// @param tick  length of the ticks [s]; the last one is cut at the goal
-Vector3d nextAcceleration(const Vector3d& way, const Vector3d& v, const Vector3d& v_goal, double time_left, double tick);
+Vector3d nextAcceleration(const Vector3d& way, const Vector3d& v, const Vector3d& v_goal, double time_left,
+                          double tick);
 
 /// Whether the cubic from (p, v) at `time` to the waypoint keeps within both.
 bool withinLimits(const Vector3d& p, const Vector3d& v, double time, const Waypoint& goal, double speed,
                   double acceleration);
+struct PathPoint
+{
+  Vector3d p, v;  ///< [m], [m/s]
+};
+
 /// A point of that cubic.
-Vector3d onCubic(const Vector3d& p, const Vector3d& v, double time, const Waypoint& goal, double at);
+PathPoint onCubic(const Vector3d& p, const Vector3d& v, double time, const Waypoint& goal, double at);
 
 /// Least time for a cubic from rest to rest over this way.
 double restToRest(double way, double speed, double acceleration);

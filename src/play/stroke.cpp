@@ -77,7 +77,7 @@ void place(StrokeWish& wish, Style style, double half_length, double half_width,
 
 const char* name(Stroke stroke)
 {
-  static const char* const names[] = {"drive", "loop",  "push",       "block",       "chop",
+  static const char* const names[] = {"drive", "loop",  "push",        "block",     "chop",
                                       "smash", "serve", "short serve", "side serve"};
   return names[static_cast<int>(stroke)];
 }

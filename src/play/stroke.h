@@ -37,13 +37,13 @@ Style styleFromName(const std::string& text);
 struct StrokeWish
 {
   Stroke stroke = Stroke::Drive;
-  bool brush = true;          ///< false: the spin is left to the ball, the face just meets it
-  double topspin = 0.0;       ///< about the axis across the flight; below zero backspin [rad/s]
-  double sidespin = 0.0;      ///< about z [rad/s]
-  double flight_time = 0.4;   ///< to the target; a serve: speed along x instead, see `speed` [s]
-  double speed = 5.0;         ///< serves only [m/s]
-  double own_bounce = -0.8;   ///< serves only: x of the first landing [m]
-  double over_net = 0.03;     ///< gap between ball and net, at least [m]
+  bool brush = true;                      ///< false: the spin is left to the ball, the face just meets it
+  double topspin = 0.0;                   ///< about the axis across the flight; below zero backspin [rad/s]
+  double sidespin = 0.0;                  ///< about z [rad/s]
+  double flight_time = 0.4;               ///< to the target; a serve: speed along x instead, see `speed` [s]
+  double speed = 5.0;                     ///< serves only [m/s]
+  double own_bounce = -0.8;               ///< serves only: x of the first landing [m]
+  double over_net = 0.03;                 ///< gap between ball and net, at least [m]
   double target_x = 0.9, target_y = 0.0;  ///< on the other half [m]
   double hit_height = 0.25;               ///< where it likes to hit, centre above the table [m]
   double hit_x = -1.7;                    ///< the same along the table [m]
@@ -52,10 +52,10 @@ struct StrokeWish
 /// What the choice depends on.
 struct Incoming
 {
-  double topspin = 0.0;  ///< as the ball comes [rad/s]
-  double speed = 0.0;    ///< after its bounce [m/s]
-  double highest = 0.0;  ///< of the centre on the way through the reach [m]
-  bool is_short = false; ///< it would bounce again on the table
+  double topspin = 0.0;   ///< as the ball comes [rad/s]
+  double speed = 0.0;     ///< after its bounce [m/s]
+  double highest = 0.0;   ///< of the centre on the way through the reach [m]
+  bool is_short = false;  ///< it would bounce again on the table
 };
 
 /// Wishes in the order in which they are tried: the stroke of choice, then safer ones.

@@ -10,9 +10,9 @@ namespace ping_pong
 /// A racket at the instant of impact; it does not turn.
 struct RacketImpact
 {
-  Vector3d n_W = Vector3d::UnitX();    ///< unit normal of the face that strikes, towards the ball
-  Vector3d v_WP = Vector3d::Zero();    ///< velocity of the racket [m/s]
-  Vector3d w_out = Vector3d::Zero();   ///< spin of the ball after it [rad/s]
+  Vector3d n_W = Vector3d::UnitX();   ///< unit normal of the face that strikes, towards the ball
+  Vector3d v_WP = Vector3d::Zero();   ///< velocity of the racket [m/s]
+  Vector3d w_out = Vector3d::Zero();  ///< spin of the ball after it [rad/s]
 };
 
 /// How far the impulse may lean from the normal [rad]: beyond, a stroke only grazes the ball and any error becomes large.

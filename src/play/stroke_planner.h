@@ -3,23 +3,12 @@
 
 #include <optional>
 
-#include "blade.h"
-#include "prediction.h"
-#include "racket_path.h"
 #include "shot_to_target.h"
 #include "stroke.h"
-#include "stroke_inversion.h"
+#include "stroke_path.h"
 
 namespace ping_pong
 {
-/// What a hand does wrong in one stroke; all zero: nothing.
-struct StrokeError
-{
-  Vector3d place = Vector3d::Zero();  ///< of the racket [m]
-  double pitch = 0.0, yaw = 0.0;      ///< of the face [rad]
-  double speed = 0.0;                 ///< part of the racket's speed
-};
-
 struct StrokePlan
 {
   StrokeWish wish;
@@ -28,14 +17,6 @@ struct StrokePlan
   AimedShot shot;       ///< as it shall leave
   RacketImpact impact;  ///< of the racket, without the error
   RacketPath path;
-};
-
-/// Where and when a racket is.
-struct RacketNow
-{
-  double time = 0.0;
-  Pose pose;    ///< frame O
-  Twist twist;  ///< frame O
 };
 
 class StrokePlanner
@@ -63,10 +44,6 @@ private:
   std::vector<Candidate> candidates(const Prediction& prediction, double from, double to, const RacketNow& now,
                                     const StrokeWish& wish, bool serve) const;
   bool aim(StrokePlan& plan, bool serve, Flyer flyer, const Vector3d& guess) const;
-  bool lay(StrokePlan& plan, double time, const Prediction& prediction, const RacketNow& now,
-           const StrokeError& error, int& work) const;
-  bool layFor(StrokePlan& plan, double swing, double follow, const Prediction& prediction, const RacketNow& now) const;
-  bool clear(const RacketPath& path, const Prediction& prediction, const RacketNow& now) const;
   Vector3d spinWish(const StrokeWish& wish, const BallState& in, double share) const;
 
   const Court& court_;
@@ -77,5 +54,6 @@ private:
   Flyer flyer_;
   Surface table_;
   DriveLimits limits_;
+  StrokePaths paths_;
 };
 }  // namespace ping_pong

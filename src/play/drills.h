@@ -1,0 +1,46 @@
+// Players put to the test: against a launcher, in their service, with each other.
+#pragma once
+
+#include "trial.h"
+
+namespace ping_pong
+{
+enum class Outcome
+{
+  Returned,    ///< lands on the other half
+  NotItsHalf,  ///< the launch does not bounce once on the player's half first: nothing to return
+  Untouched,   ///< the racket does not meet it
+  TouchedTwice,
+  IntoNet,  ///< touches net or own half first
+  Out       ///< lands beside the other half
+};
+const char* name(Outcome outcome);
+
+struct ReturnResult
+{
+  Outcome outcome = Outcome::Untouched;
+  Stroke stroke = Stroke::Drive;
+  double landing_error = 0.0;  ///< from the target, if it lands on the table [m]
+  double spin = 0.0;           ///< with which it comes to the racket [rad/s]
+  double speed = 0.0;          ///< the same [m/s]
+};
+
+/// One ball from a launcher to player 0.
+/// @param launch  in frame O of that player
+ReturnResult returnOf(Trial& trial, const BallState& launch, std::uint64_t seed);
+
+struct ServeResult
+{
+  bool legal = false;
+  std::string fault;           ///< empty if legal
+  double rise = 0.0;           ///< of the ball after the toss [m]
+  double landing_error = 0.0;  ///< on the other half [m]
+  Stroke stroke = Stroke::LongServe;
+};
+/// Toss and service of player 0: rises 16 cm or more, struck as it falls, behind the end line and above the surface (ITTF 2.6.2 to 2.6.4),
+/// lands on the own half, then on the other.
+ServeResult serveOf(Trial& trial, std::uint64_t seed);
+
+/// Strokes of two players after the service of player 0, until a ball is not returned; at most so many.
+std::size_t rallyOf(Trial& trial, std::uint64_t seed, std::size_t most);
+}  // namespace ping_pong
