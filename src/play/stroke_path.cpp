@@ -16,8 +16,13 @@ constexpr double kFollows[] = {0.12, 0.07, 0.045};  // of the follow-through [s]
 constexpr double kLongestDirect = 0.25;             // a way without a swing bends far out in more time [s]
 constexpr double kBetweenLooks = 0.015;             // at an approach [s]
 constexpr double kLeaving = 0.05;                   // so long the racket may still be where it should not go to [s]
-constexpr double kMeeting = 0.012;  // so long before the hit racket and ball are near each other by intent [s]
-constexpr int kSwingLooks = 8, kFollowLooks = 6;
+constexpr double kMeeting = 0.012;       // so long before the hit racket and ball are near each other by intent [s]
+constexpr double kBetweenPlaces = 0.02;  // at swing and follow-through: the guard shall find nothing between them [m]
+
+int looksAt(const Waypoint& from, const Waypoint& to)
+{
+  return std::clamp(static_cast<int>((to.p - from.p).norm() / kBetweenPlaces), 4, 40);
+}
 
 double smooth(double s)
 {
@@ -66,14 +71,15 @@ bool StrokePaths::clear(const RacketPath& path, const Prediction& prediction, co
     const bool away = t > path.hit.time - kMeeting || t < prediction.start();
     return away || blade_.clearOfBall(pose, prediction.at(t).p_WB, kBallMargin);
   };
-  for (int i = 1; i <= kSwingLooks && !path.direct; ++i)
+  const int swing_looks = path.direct ? 0 : looksAt(path.start, path.hit), follow_looks = looksAt(path.hit, path.end);
+  for (int i = 1; i <= swing_looks; ++i)
   {
-    const double t = path.start.time + (path.hit.time - path.start.time) * i / kSwingLooks;
+    const double t = path.start.time + (path.hit.time - path.start.time) * i / swing_looks;
     if (!free(onCubic(path.start.p, path.start.v, path.start.time, path.hit, t).p, t)) return false;
   }
-  for (int i = 1; i <= kFollowLooks; ++i)
+  for (int i = 1; i <= follow_looks; ++i)
   {
-    const double t = path.hit.time + (path.end.time - path.hit.time) * i / kFollowLooks;
+    const double t = path.hit.time + (path.end.time - path.hit.time) * i / follow_looks;
     if (!free(onCubic(path.hit.p, path.hit.v, path.hit.time, path.end, t).p, t)) return false;
   }
   return clearApproach(path, prediction, now);

@@ -15,7 +15,7 @@ constexpr double kApart = 0.035;            // between candidates that are tried
 constexpr double kOverEdge = 0.03;          // gap between ball and own end line when struck from below [m]
 constexpr double kServeLine = 0.03;         // a serve is struck so far behind the end line, the ball's surface [m]
 constexpr double kServeHeight = 0.20;       // of the centre when a serve is struck [m]
-constexpr int kMostWork = 300;              // of one plan, in flights: about 2 ms
+constexpr int kMostWork = 250;              // of one plan, in flights: about 2 ms
 constexpr int kWorkOfAPath = 6;             // to look at a path costs as much as so many flights
 constexpr double kLessSpin[] = {1.0, 0.6, 0.3, 0.0};  // of the change that is wished, until the racket can do it
 
