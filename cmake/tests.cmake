@@ -108,6 +108,10 @@ foreach(name
     shots
     quiet_time
     keys
+    stroke_inversion
+    shot_to_target
+    racket_path
+    player
 )
   add_core_test(${name})
 endforeach()
@@ -117,6 +121,9 @@ foreach(name cradle random_contacts stability tunnelling)
   target_link_libraries(${PROJECT_NAME}_test_${name} ${PROJECT_NAME}_stability)
 endforeach()
 target_link_libraries(${PROJECT_NAME}_test_keys ${PROJECT_NAME}_keys)
+foreach(name stroke_inversion shot_to_target racket_path player)
+  target_link_libraries(${PROJECT_NAME}_test_${name} ${PROJECT_NAME}_play)
+endforeach()
 add_dependencies(${PROJECT_NAME}_test_simulate ${PROJECT_NAME}_simulate)
 add_dependencies(${PROJECT_NAME}_test_validation ${PROJECT_NAME}_validate)
 
