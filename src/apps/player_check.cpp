@@ -69,12 +69,14 @@ struct Tally
 {
   std::map<Outcome, std::size_t> outcomes;
   std::map<Stroke, std::size_t> strokes;
-  std::vector<double> errors;  // [m]
-  double most_spin = 0.0;      // [rad/s]
+  std::map<std::string, std::size_t> why;  // nothing was to be returned
+  std::vector<double> errors;              // [m]
+  double most_spin = 0.0;                  // [rad/s]
 
   void add(const ReturnResult& result)
   {
     ++outcomes[result.outcome];
+    if (!result.why.empty()) ++why[result.why];
     most_spin = std::max(most_spin, result.spin);
     if (result.outcome == Outcome::NotItsHalf || result.outcome == Outcome::Untouched) return;
     ++strokes[result.stroke];
@@ -92,8 +94,9 @@ struct Tally
         what.c_str(), of(Outcome::Returned), due,
         due > 0 ? 100.0 * static_cast<double>(of(Outcome::Returned)) / static_cast<double>(due) : 0.0,
         100.0 * percentile(errors, 0.5), 100.0 * percentile(errors, 0.95), most_spin);
+    for (const auto& [end, count] : why) std::printf(" %zu %s;", count, end.c_str());
     for (const auto& [outcome, count] : outcomes)
-      if (outcome != Outcome::Returned) std::printf(" %zu %s;", count, name(outcome));
+      if (outcome != Outcome::Returned && outcome != Outcome::NotItsHalf) std::printf(" %zu %s;", count, name(outcome));
     for (const auto& [stroke, count] : strokes) std::printf(" %s %zu", name(stroke), count);
     std::printf("\n");
   }

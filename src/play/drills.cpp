@@ -40,14 +40,54 @@ const char* name(Outcome outcome)
   return names[static_cast<int>(outcome)];
 }
 
+namespace
+{
+// Until the racket meets it: what the ball has touched.
+struct Approach
+{
+  int own = 0, other = 0, net = 0;
+  bool over = false;
+  std::string why;  // it did not come to the own half
+
+  void add(Place place, bool net_touched)
+  {
+    if (place == Place::OwnHalf)
+      over = ++own > 1;
+    else if (place == Place::OtherHalf)
+      over = ++other > 1 || own > 0;
+    else if (net_touched)
+      ++net;
+    else
+      over = true;
+    if (own == 0 && over)
+      why = net > 0 ? "ends in the net" : other > 1 ? "bounces twice before it" : "misses the table";
+  }
+};
+
+bool touchesNet(const Trial& trial, const Court& court, const Contact& contact)
+{
+  if (contact.body != court.table()) return false;
+  const MaterialId material = trial.world().body(contact.body).shapes[contact.shape].material;
+  return trial.world().scene().materials[material] == "net";
+}
+
+Outcome outcomeOf(Place place, const Court& court, const Contact& contact)
+{
+  if (place == Place::OtherHalf) return Outcome::Returned;
+  if (place == Place::Paddle) return Outcome::TouchedTwice;
+  return contact.body == court.table() ? Outcome::IntoNet : Outcome::Out;
+}
+}  // namespace
+
 ReturnResult returnOf(Trial& trial, const BallState& launch, std::uint64_t seed)
 {
   const Court court = trial.player(0).court();
   trial.restart(court.toWorld(launch), seed);
   ReturnResult result;
   StrokeWish wish;
-  bool bounced = false, struck = false;
-  for (double until = kLongest; trial.world().time() < until;)
+  Approach approach;
+  bool struck = false;
+  for (double until = kLongest; trial.world().time() < until && !approach.over;)
   {
     if (!struck && trial.player(0).plan() != nullptr) wish = trial.player(0).plan()->wish;
     trial.tick();
@@ -57,34 +97,25 @@ ReturnResult returnOf(Trial& trial, const BallState& launch, std::uint64_t seed)
       if (struck)
       {
         result.landing_error = missOf(court, contact, wish);
-        result.outcome = place == Place::OtherHalf       ? Outcome::Returned
-                         : place == Place::Paddle        ? Outcome::TouchedTwice
-                         : contact.body == court.table() ? Outcome::IntoNet
-                                                         : Outcome::Out;
+        result.outcome = outcomeOf(place, court, contact);
         return result;
       }
-      if (place == Place::Paddle)
+      if (place != Place::Paddle)
       {
-        result.stroke = wish.stroke;
-        result.spin = contact.w_before.norm();
-        result.speed = contact.v_before.norm();
-        if (!bounced)
-        {
-          result.outcome = Outcome::NotItsHalf;
-          return result;
-        }
-        struck = true;
-        until = trial.world().time() + kLongest;
+        approach.add(place, touchesNet(trial, court, contact));
+        continue;
       }
-      else if (place == Place::OwnHalf && !bounced)
-        bounced = true;
-      else if (place != Place::OtherHalf || bounced)
-      {
-        result.outcome = bounced ? Outcome::Untouched : Outcome::NotItsHalf;
-        if (bounced || place == Place::Elsewhere) return result;
-      }
+      result.stroke = wish.stroke;
+      result.spin = contact.w_before.norm();
+      result.speed = contact.v_before.norm();
+      result.outcome = Outcome::Volley;
+      if (approach.own == 0) return result;
+      struck = true;
+      until = trial.world().time() + kLongest;
     }
   }
+  result.outcome = approach.own > 0 || struck ? Outcome::Untouched : Outcome::NotItsHalf;
+  result.why = result.outcome == Outcome::NotItsHalf && approach.why.empty() ? "stays in the net" : approach.why;
   return result;
 }
 

@@ -8,8 +8,9 @@ namespace ping_pong
 enum class Outcome
 {
   Returned,    ///< lands on the other half
-  NotItsHalf,  ///< the launch does not bounce once on the player's half first: nothing to return
+  NotItsHalf,  ///< the launch does not come to the player's half: nothing to return
   Untouched,   ///< the racket does not meet it
+  Volley,      ///< the racket meets it before it has bounced
   TouchedTwice,
   IntoNet,  ///< touches net or own half first
   Out       ///< lands beside the other half
@@ -20,6 +21,7 @@ struct ReturnResult
 {
   Outcome outcome = Outcome::Untouched;
   Stroke stroke = Stroke::Drive;
+  std::string why;             ///< of NotItsHalf: where the launch ends
   double landing_error = 0.0;  ///< from the target, if it lands on the table [m]
   double spin = 0.0;           ///< with which it comes to the racket [rad/s]
   double speed = 0.0;          ///< the same [m/s]

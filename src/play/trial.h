@@ -19,6 +19,7 @@ public:
   void serves(std::size_t player) { server_ = player; }  ///< kNone: nobody
 
   World& world() { return world_; }
+  const World& world() const { return world_; }
   Player& player(std::size_t i) { return players_[i]; }
   std::size_t bodyOf(std::size_t player) const { return bodies_[player]; }
   std::size_t playerOf(std::size_t body) const;  ///< whose paddle; or kNone

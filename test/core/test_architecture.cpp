@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 const fs::path kSource = SOURCE_DIR;
 const fs::path kCore = kSource / "src" / "core";
+const fs::path kPlay = kSource / "src" / "play";
 
 // Bottom to top: a room includes only itself, those before it, and the public headers.
 const std::vector<std::string> kRooms = {"base",  "geometry", "evolve", "resolve", "detect",  "paddle",  "scene",
@@ -96,10 +97,22 @@ TEST(Architecture, PhysicsKnowsNoRos)
 {
   const std::vector<std::string> kRos = {
       "ros/", "tf2", "rviz/", "geometry_msgs/", "visualization_msgs/", "ping_pong_sim/Ball", "std_msgs/"};
-  for (const fs::path& folder : {kCore, kSource / "include", kSource / "src" / "apps", kSource / "bench"})
+  for (const fs::path& folder : {kCore, kPlay, kSource / "include", kSource / "src" / "apps", kSource / "bench"})
     for (const fs::path& file : sourcesIn(folder))
       for (const std::string& include : includesOf(file))
         for (const std::string& ros : kRos) EXPECT_FALSE(startsWith(include, ros)) << file << " includes " << include;
+}
+
+// A player flies and strikes with the core's own laws; how the world goes about it is none of its business.
+TEST(Architecture, ThePlayerKnowsOnlyTheLaws)
+{
+  const std::set<std::string> kLaws = {"base", "evolve", "resolve", "paddle"};
+  for (const fs::path& file : sourcesIn(kPlay))
+    for (const std::string& include : includesOf(file))
+      if (fs::exists(kCore / include))
+      {
+        EXPECT_EQ(kLaws.count(include.substr(0, include.find('/'))), 1u) << file << " includes " << include;
+      }
 }
 
 TEST(Architecture, PublicHeadersNeedNoneOfTheCore)
@@ -111,7 +124,7 @@ TEST(Architecture, PublicHeadersNeedNoneOfTheCore)
 
 TEST(Architecture, EveryHeaderBeginsWithItsPurposeAndIsShort)
 {
-  for (const fs::path& folder : {kCore, kSource / "include", kSource / "src" / "ros", kSource / "src" / "apps"})
+  for (const fs::path& folder : {kCore, kPlay, kSource / "include", kSource / "src" / "ros", kSource / "src" / "apps"})
     for (const fs::path& file : sourcesIn(folder))
     {
       if (file.extension() != ".h") continue;
