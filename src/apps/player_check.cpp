@@ -90,7 +90,7 @@ struct Tally
     const auto of = [&](Outcome outcome) { return outcomes.count(outcome) ? outcomes.at(outcome) : 0; };
     const std::size_t due = all - of(Outcome::NotItsHalf);
     std::printf(
-        "%-10s %5zu of %5zu returned (%.1f %%); landing error median %.2f cm, 95 %% %.2f cm; most spin %.0f rad/s;",
+        "%-10s %5zu of %5zu returned (%.1f %%); landing error median %.2g cm, 95 %% %.2g cm; most spin %.0f rad/s;",
         what.c_str(), of(Outcome::Returned), due,
         due > 0 ? 100.0 * static_cast<double>(of(Outcome::Returned)) / static_cast<double>(due) : 0.0,
         100.0 * percentile(errors, 0.5), 100.0 * percentile(errors, 0.95), most_spin);
@@ -149,7 +149,7 @@ void checkServes(Trial& trial, const Options& options)
     else
       ++faults[std::string(name(result.stroke)) + ": " + result.fault];
   }
-  std::printf("services: %zu of %llu legal; landing error 95 %% %.2f cm;", legal,
+  std::printf("services: %zu of %llu legal; landing error 95 %% %.2g cm;", legal,
               static_cast<unsigned long long>(options.serves), 100.0 * percentile(errors, 0.95));
   for (const auto& [fault, count] : faults) std::printf(" %zu %s;", count, fault.c_str());
   std::printf("\n");
@@ -161,7 +161,7 @@ void checkRallies(Trial& trial, const Options& options)
   Progress progress("player_check");
   for (std::uint64_t i = 0; i < options.rallies; ++i)
   {
-    lengths.push_back(static_cast<double>(rallyOf(trial, options.seed + i, options.longest)));
+    lengths.push_back(static_cast<double>(rallyOf(trial, options.seed + i, options.longest).strokes));
     progress.show(static_cast<double>(i + 1) / static_cast<double>(options.rallies), "rallies");
   }
   progress.clear();

@@ -169,39 +169,40 @@ ServeResult serveOf(Trial& trial, std::uint64_t seed)
   return fault("nothing happened");
 }
 
-std::size_t rallyOf(Trial& trial, std::uint64_t seed, std::size_t most)
+RallyResult rallyOf(Trial& trial, std::uint64_t seed, std::size_t most)
 {
   trial.restart(trial.player(0).toss(), seed);
   trial.serves(0);
-  std::size_t strokes = 0, last = kNone;
+  RallyResult rally;
+  std::size_t last = kNone;
   bool good = true;  // the ball may be struck
-  for (double touched = 0.0; strokes < most && trial.world().time() < touched + kLongest;)
+  const auto lost = [&] { return RallyResult{rally.strokes, last == kNone ? 0 : good ? 1 - last : last}; };
+  for (double touched = 0.0; rally.strokes < most;)
   {
+    if (trial.world().time() > touched + kLongest) return lost();
     trial.tick();
     for (const Contact& contact : trial.world().contacts())
     {
+      touched = trial.world().time();
       const std::size_t striker = trial.playerOf(contact.body);
       if (striker != kNone)
       {
-        if (!good || striker == last) return strokes;
+        if (striker == last || !good) return {rally.strokes, striker};  // twice, or before its bounce
         trial.serves(kNone);
         last = striker;
         good = false;
-        ++strokes;
+        ++rally.strokes;
+        continue;
       }
-      else
-      {
-        if (last == kNone) return strokes;
-        const Place place = placeOf(trial, trial.player(last).court(), contact);
-        const bool own_bounce_of_serve = strokes == 1 && place == Place::OwnHalf;
-        if (place == Place::OtherHalf && !good)
-          good = true;
-        else if (!own_bounce_of_serve)
-          return strokes;
-      }
-      touched = trial.world().time();
+      if (last == kNone) return lost();
+      const Place place = placeOf(trial, trial.player(last).court(), contact);
+      const bool own_bounce_of_serve = rally.strokes == 1 && place == Place::OwnHalf;
+      if (place == Place::OtherHalf && !good)
+        good = true;
+      else if (!own_bounce_of_serve && !touchesNet(trial, trial.player(last).court(), contact))
+        return lost();
     }
   }
-  return strokes;
+  return rally;
 }
 }  // namespace ping_pong

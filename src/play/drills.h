@@ -43,6 +43,12 @@ struct ServeResult
 /// lands on the own half, then on the other.
 ServeResult serveOf(Trial& trial, std::uint64_t seed);
 
-/// Strokes of two players after the service of player 0, until a ball is not returned; at most so many.
-std::size_t rallyOf(Trial& trial, std::uint64_t seed, std::size_t most);
+struct RallyResult
+{
+  std::size_t strokes = 0;    ///< the service is one
+  std::size_t loser = kNone;  ///< whose stroke was bad or missing; kNone: stopped
+};
+
+/// Two players after the service of player 0, until a ball is not returned; at most so many strokes.
+RallyResult rallyOf(Trial& trial, std::uint64_t seed, std::size_t most);
 }  // namespace ping_pong

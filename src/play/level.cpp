@@ -6,7 +6,7 @@
 
 namespace ping_pong
 {
-// Chosen so that in rallies each level misses about three times as often as the next: player_check prints how often.
+// Chosen so that each level wins about two rallies of three or more against the one below, and so misses more than it.
 const LevelTraits& levelTraits(int level)
 {
   static const LevelTraits traits[] = {

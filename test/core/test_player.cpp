@@ -133,7 +133,7 @@ TEST(Player, ServesByTheLaws)
 TEST(Player, KeepsARallyWithItself)
 {
   Trial trial(matchScene(), {playerA(5, Style::Cooperative), playerB(5, Style::Cooperative)});
-  for (int seed = 1; seed <= 3; ++seed) EXPECT_EQ(rallyOf(trial, seed, 60), 60u) << seed;
+  for (int seed = 1; seed <= 3; ++seed) EXPECT_EQ(rallyOf(trial, seed, 60).strokes, 60u) << seed;
   EXPECT_EQ(trial.blocked(), 0u);
 }
 
