@@ -193,10 +193,19 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
 
 double leavesFace(const Segment& path, const Shape& shape, const BodyMotion& motion, double from, double until)
 {
-  if (shape.kind == ShapeKind::HalfSpace) return kNever;
-  const FaceFrame ball = inFace(path, shape, motion, from);
-  const double after =
-      shape.kind == ShapeKind::Box ? leavesBoxFace(ball, shape.half_size) : leavesCap(ball, shape.half_size.x());
+  double after = kNever;
+  switch (shape.kind)
+  {
+    case ShapeKind::Box:
+      after = leavesBoxFace(inFace(path, shape, motion, from), shape.half_size);
+      break;
+    case ShapeKind::Cylinder:
+      after = leavesCap(inFace(path, shape, motion, from), shape.half_size.x());
+      break;
+    case ShapeKind::Sphere:
+    case ShapeKind::HalfSpace:
+      break;  // without a border
+  }
   return from + after <= until ? from + after : kNever;
 }
 }  // namespace ping_pong

@@ -4,6 +4,7 @@
 #include "detect/fall_on_plane.h"
 #include "events/bounce_run_level.h"
 #include "events/predict.h"
+#include "geometry/tangential.h"
 #include "resting/plan_path.h"
 #include "state/collapse_guard.h"
 #include "state/contact_log.h"
@@ -46,7 +47,7 @@ bool hopsOn(const WorldState& world, const BallRecord& ball, const Event& event)
 
 bool slips(const Ground& ground, const Vector3d& v)
 {
-  return ground.law.friction != 0.0 && !(v - ground.n.dot(v) * ground.n).isZero(0.0);
+  return ground.law.friction != 0.0 && !tangential(v, ground.n).isZero(0.0);
 }
 
 // Whether all bounces to come are too small to count: then the ball comes to lie.
@@ -102,8 +103,9 @@ bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Groun
   count(Law::Restitution);
   countStreak(ball, t);
   if (worthAReport(ball, closing))
-    recordBodyContact(*window.records, world.balls[i], i, ball.next,
-                      {p, before, after, Vector3d::Zero(), Vector3d::Zero()}, ground.n, Vector3d::Zero(), t);
+    recordContact(*window.records, ball, i, HitObject::shapeOf(ball.next.other, ball.next.shape),
+                  {t, ground.n, Vector3d::Zero(), p, before, after, Vector3d::Zero(), Vector3d::Zero(),
+                   impulseOf(ball, before, after)});
   if (window.log) window.log->flown(i, t);
   setPath(ball, p, after, t);
   foreseeHop(world, i, ground, t);

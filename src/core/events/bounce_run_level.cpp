@@ -99,10 +99,10 @@ std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, c
     count(Law::MeetHalfSpace);
     countStreak(ball, t);
     if (hops == 0 && window.log) window.log->flown(i, t);
-    recordBodyContact(*window.records, ball, i, ball.next,
-                      {placeOf(bounce.after), withZ(path.c[1], -bounce.closing), withZ(path.c[1], bounce.after.v),
-                       Vector3d::Zero(), Vector3d::Zero()},
-                      Vector3d::UnitZ(), Vector3d::Zero(), t);
+    const Vector3d v_before = withZ(path.c[1], -bounce.closing), v_after = withZ(path.c[1], bounce.after.v);
+    recordContact(*window.records, ball, i, HitObject::shapeOf(ball.next.other, ball.next.shape),
+                  {t, Vector3d::UnitZ(), Vector3d::Zero(), placeOf(bounce.after), v_before, v_after, Vector3d::Zero(),
+                   Vector3d::Zero(), impulseOf(ball, v_before, v_after)});
     if (hops++ == 0)
       first = bounce.after;
     else

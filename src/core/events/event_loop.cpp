@@ -9,6 +9,7 @@
 #include "ping_pong_sim/resolve.h"
 #include "resting/joint_impact.h"
 #include "resting/plan_path.h"
+#include "state/body_gap.h"
 #include "state/collapse_guard.h"
 #include "state/contact_log.h"
 #include "state/crowding.h"
@@ -125,7 +126,7 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   const Shape& shape = body.shapes()[event.shape];
   const BodyFrame frame = body.moving ? frameAt(body.motion, t - body.motion.start) : BodyFrame();
   BallState state = ball.stateAt(t);
-  const Gap gap = gapOver(body, shape, ball, state, t);
+  const Gap gap = gapOver(body, shape, state, ball.params().radius, t);
   const Vector3d u = body.moving ? frame.pointVelocity(state.p_WB - ball.params().radius * gap.n_W) : Vector3d::Zero();
   countStreak(ball, t);
   if ((ball.crush > kHopelessCrush && body.moving) ||
@@ -137,8 +138,9 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   const BallState before = state;
   bounce(law, ball.params(), state, u, gap.n_W);
   if (worthAReport(ball, -gap.rate))
-    recordBodyContact(*window.records, ball, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB},
-                      gap.n_W, u, t);
+    recordContact(*window.records, ball, i, HitObject::shapeOf(event.other, event.shape),
+                  {t, gap.n_W, u, before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB,
+                   impulseOf(ball, before.v_WB, state.v_WB)});
   settle(world, ball, event, law, frame, state, -gap.rate, gap.n_W.dot(state.v_WB - u), t);
   restart(world, window, i, state, t);
 }
@@ -150,26 +152,6 @@ double separationSpeed(const BallRecord& a, const BallRecord& b, double closing,
   if (closing <= kTouchSpeed) return pressed ? kHopSpeed : std::max(closing, 0.0);
   if (std::min(a.streak, b.streak) <= kLongStreak) return restitution * closing;
   return pressed ? std::max(closing, kHopSpeed) : closing;
-}
-
-void recordBallContact(Records& records, const BallRecord& a, std::size_t i, const BallRecord& b,
-                       const BallState& before_a, const BallState& after_a, const Vector3d& v_other, const Vector3d& n,
-                       const Vector3d& impulse, double t)
-{
-  Contact* contact = newContact(records, i);
-  if (!contact) return;
-  contact->time = t;
-  contact->ball = a.id;
-  contact->with_ball = true;
-  contact->other_ball = b.id;
-  contact->n_W = n;
-  contact->p_WC = before_a.p_WB - a.params().radius * n;
-  contact->v_before = before_a.v_WB;
-  contact->v_after = after_a.v_WB;
-  contact->w_before = before_a.w_WB;
-  contact->w_after = after_a.w_WB;
-  contact->v_other = v_other;
-  contact->impulse = impulse;
 }
 
 void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t k, double t)
@@ -192,7 +174,9 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
   const Vector3d p_WC = state_a.p_WB - a.params().radius * n;
   const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
   const Vector3d impulse = part(law, speed, a.params(), state_a, b.params(), state_b, n);
-  if (worthAReport(a, closing)) recordBallContact(*window.records, a, i, b, before_a, state_a, v_other, n, impulse, t);
+  if (worthAReport(a, closing))
+    recordContact(*window.records, a, i, HitObject::ballOf(b.id),
+                  {t, n, v_other, before_a.p_WB, before_a.v_WB, state_a.v_WB, before_a.w_WB, state_a.w_WB, impulse});
   changePath(world, window, i, state_a, t);
   changePath(world, window, k, state_b, t);
   foreseeAll(world, window, i, t);
@@ -223,7 +207,9 @@ void handle(WorldState& world, const Window& window, std::size_t i)
       return hitBody(world, window, i, event, t);
     case Event::Kind::HitBall:
       return hitBall(world, window, i, event.other, t);
-    default:
+    case Event::Kind::LeaveFace:
+    case Event::Kind::LookAgain:
+    case Event::Kind::None:
       return restart(world, window, i, world.balls[i].stateAt(t), t);
   }
 }

@@ -40,17 +40,10 @@ bool nearestOn(const Simplex& simplex, unsigned choice, Vector3d& nearest)
   for (int i = 0; i < simplex.count; ++i)
     if (choice >> i & 1u) p[n++] = simplex.points[i];
   nearest = p[0];
-  switch (n)
-  {
-    case 1:
-      return true;
-    case 2:
-      return nearestInside<1>(p, nearest);
-    case 3:
-      return nearestInside<2>(p, nearest);
-    default:
-      return nearestInside<3>(p, nearest);
-  }
+  if (n == 1) return true;
+  if (n == 2) return nearestInside<1>(p, nearest);
+  if (n == 3) return nearestInside<2>(p, nearest);
+  return nearestInside<3>(p, nearest);  // of four points at most
 }
 
 // Keeps the part of the simplex that is nearest to the origin.

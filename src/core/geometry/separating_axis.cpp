@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/gjk.h"
+#include "geometry/tangential.h"
 
 namespace ping_pong
 {
@@ -80,7 +81,7 @@ public:
     {
       const Vector3d n = best_.n_W;
       const Vector3d d = best_.p_WC - b_.furthest(n);
-      const Vector3d uphill = d - n.dot(d) * n;
+      const Vector3d uphill = tangential(d, n);
       const double slope = uphill.norm();
       if (!(slope > 0.0)) return;
       const double before = best_.gap;

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/law_counter.h"
+#include "geometry/tangential.h"
 #include "ping_pong_sim/resolve.h"
 
 namespace ping_pong
@@ -29,11 +30,6 @@ void apply(const BallParams& ball, BallState& state, const Vector3d& n, const Ve
 {
   state.v_WB += impulse / ball.mass;
   state.w_WB -= n.cross(impulse) / (ball.inertia * ball.mass * ball.radius);
-}
-
-Vector3d tangential(const Vector3d& u, const Vector3d& n)
-{
-  return u - n.dot(u) * n;
 }
 }  // namespace
 

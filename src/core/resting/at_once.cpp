@@ -85,7 +85,7 @@ bool strikeAll(const HeldBall& held, double t, BallMotion& ball, SupportForces& 
     problem.law[i] = held.surface[i].law;
     SupportPoint& at = problem.at[i] = supportPoint(held.surface[i], ball, held.radius, t);
     at.least = at.n.dot(ball.v) - at.rate;
-    at.slip_bias = at.slip - tangentialTo(at.n, ball.v) + ball.s.cross(at.n);
+    at.slip_bias = at.slip - tangential(ball.v, at.n) + ball.s.cross(at.n);
     if (problem.law[i]->friction > 0.0) problem.mode[i].slip = Resistance::Holds;
   }
   BallAcceleration after;

@@ -74,7 +74,7 @@ struct Sweeper
     const double limit = rollLimit(*problem.law[i], problem.k, force.load);
     const Vector3d torque = mode.roll == Resistance::Slips
                                 ? Vector3d(-limit * mode.roll_direction)
-                                : limited(force.roll - tangentialTo(at.n, motion.b) - at.roll_bias, limit);
+                                : limited(force.roll - tangential(motion.b, at.n) - at.roll_bias, limit);
     note((torque - force.roll).norm(), torque.norm());
     motion.b += torque - force.roll;
     force.roll = torque;

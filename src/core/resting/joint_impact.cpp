@@ -2,6 +2,7 @@
 
 #include "resting/at_once.h"
 #include "resting/plan_path.h"
+#include "state/body_gap.h"
 #include "state/collapse_guard.h"
 #include "state/contact_log.h"
 
@@ -25,7 +26,7 @@ Supports touchedSurfaces(const WorldState& world, const BallRecord& ball, const 
   {
     const BodyRecord& body = world.bodies[b];
     for (std::size_t s = 0; s < body.shapes().size(); ++s)
-      if (isTouched(gapOver(body, body.shapes()[s], ball, state, t))) touched.add(b, s);
+      if (isTouched(gapOver(body, body.shapes()[s], state, ball.params().radius, t))) touched.add(b, s);
   }
   return touched;
 }
@@ -40,15 +41,12 @@ void record(const WorldState& world, Records& records, std::size_t i, const Held
     if (!worthAReport(ball, impulses[k].load)) continue;
     const Supports::Surface& surface = ball.supports[k];
     const BodyRecord& body = world.bodies[surface.body];
-    const Vector3d n = gapOver(body, body.shapes()[surface.shape], ball, before, t).n_W;
+    const Vector3d n = gapOver(body, body.shapes()[surface.shape], before, held.radius, t).n_W;
     const Vector3d u =
         body.moving ? body.at(t).pointVelocity(before.p_WB - held.radius * n) : Vector3d(Vector3d::Zero());
-    Event event;
-    event.other = surface.body;
-    event.shape = surface.shape;
-    Contact* contact = recordBodyContact(records, ball, i, event,
-                                         {before.p_WB, before.v_WB, after.v_WB, before.w_WB, after.w_WB}, n, u, t);
-    if (contact) contact->impulse = ball.params().mass * (impulses[k].load * n + impulses[k].friction);
+    const Vector3d impulse = ball.params().mass * (impulses[k].load * n + impulses[k].friction);
+    recordContact(records, ball, i, HitObject::shapeOf(surface.body, surface.shape),
+                  {t, n, u, before.p_WB, before.v_WB, after.v_WB, before.w_WB, after.w_WB, impulse});
   }
 }
 }  // namespace

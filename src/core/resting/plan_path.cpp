@@ -8,6 +8,7 @@
 #include "evolve/integrators.h"
 #include "resting/at_once.h"
 #include "resting/held_piece.h"
+#include "state/body_gap.h"
 #include "state/collapse_guard.h"
 
 namespace ping_pong
@@ -55,7 +56,7 @@ Gap gapOver(const WorldState& world, const BallRecord& ball, const Supports::Sur
             double t)
 {
   const BodyRecord& body = world.bodies[support.body];
-  return gapOver(body, body.shapes()[support.shape], ball, state, t);
+  return gapOver(body, body.shapes()[support.shape], state, ball.params().radius, t);
 }
 
 // Where surfaces throw the ball at each other without end, small impacts are taken by all that it touches.
@@ -153,7 +154,7 @@ bool flushFace(const BodyRecord& body, const Shape& shape, const BallRecord& bal
                const Vector3d& n_W, double t)
 {
   if (!onFlat(body, shape, state, t)) return false;
-  const Gap gap = gapOver(body, shape, ball, state, t);
+  const Gap gap = gapOver(body, shape, state, ball.params().radius, t);
   return std::abs(gap.gap) <= flushTolerance(state.p_WB, ball.params().radius) && (gap.n_W - n_W).norm() <= kSameNormal;
 }
 
@@ -391,13 +392,6 @@ void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, do
 }
 }  // namespace
 
-Gap gapOver(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, double t)
-{
-  const double radius = ball.params().radius;
-  return body.moving ? gapTo(shape, body.at(t), state.p_WB, state.v_WB, radius)
-                     : gapTo(shape, state.p_WB, state.v_WB, radius);
-}
-
 double timeOfRemainingBounces(double rate, double press, double restitution)
 {
   return restitution < 1.0 ? 2.0 * rate / (press * (1.0 - restitution)) : 0.0;
@@ -423,7 +417,7 @@ void addTouched(const WorldState& world, BallRecord& ball, const BallState& stat
     const BodyRecord& body = world.bodies[b];
     for (std::size_t s = 0; s < body.shapes().size(); ++s)
     {
-      const Gap gap = gapOver(body, body.shapes()[s], ball, state, t);
+      const Gap gap = gapOver(body, body.shapes()[s], state, ball.params().radius, t);
       if (std::abs(gap.gap) > kTouchedGap || std::abs(gap.rate) > kNoHopSpeed) continue;
       if (supportedAlong(world, ball, state, gap.n_W, t)) continue;
       if (!a) a = accelerationOnSupports(world, ball, state, t);

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/law_counter.h"
+#include "geometry/tangential.h"
 
 namespace ping_pong
 {
@@ -73,7 +74,7 @@ void resist(WorldWithSolver& world, const PileShare& share, const BodyTouch& tou
   const double load = static_cast<double>(batch.normal[lane] * pile.changes[touch.ball].v.w());  // [m/s]
   const Vector3d n = batch.n.at(lane).cast<double>();
   const Vector3d u = ball.v - touch.u;
-  const Vector3d along = u - n.dot(u) * n;
+  const Vector3d along = tangential(u, n);
   if (const double speed = along.norm(); law.rolling_resistance > 0.0 && speed > 0.0)
   {
     count(Law::RollingResistance);

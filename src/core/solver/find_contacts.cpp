@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tangential.h"
 #include "solver/contact_forces.h"
 #include "solver/seams.h"
 
@@ -141,8 +142,7 @@ void addTouch(WorldWithSolver& world, PileShare& share, std::uint32_t l, const B
   const Vector3d v = mover.v - u;
   const Vector3f n = near.normal.cast<float>();
   batch.n.set(lane, n);
-  batch.slip.set(
-      lane, Vector3f((v - near.normal.dot(v) * near.normal).cast<float>() - pile.changes[i].before.head<3>().cross(n)));
+  batch.slip.set(lane, Vector3f(tangential(v, near.normal).cast<float>() - pile.changes[i].before.head<3>().cross(n)));
   const Lanes push = overlap > kForgets ? Lanes{} : link.push;
   batch.tangent.set(lane, Vector3f(push[0], push[1], push[2]));
   batch.normal[lane] = push[3];

@@ -8,6 +8,7 @@
 #include "solver/slabs.h"
 #include "solver/squeezed_in_solver.h"
 #include "solver/time_of_impact.h"
+#include "state/contact_log.h"
 
 namespace ping_pong
 {
@@ -31,31 +32,15 @@ void fork(Pile& pile, std::size_t i, const BallState& state, double t)
   ++mover.impacts;
 }
 
-// Counts an impact: a new record of it, or nullptr if none are kept. No later than the step ends: rounding may say so.
-Contact* newContact(WorldWithSolver& world, std::uint32_t ball, const BallState& before, double t)
+// An impact of the ball in slot i. No later than the step ends: rounding may say so.
+void record(WorldWithSolver& world, std::uint32_t i, const HitObject& other, double t, const BallState& before,
+            const BallState& after, const Vector3d& n, const Vector3d& u, const Vector3d& impulse)
 {
-  ++world.status.contacts;
   ++world.status.events;
-  if (!world.keep_contacts) return nullptr;
-  Contact& contact = world.contacts.emplace_back();
-  world.origins.push_back({ball, 0});
-  contact.time = std::min(world.pile.start + t, world.pile.end);
-  contact.ball = world.balls[ball].id;
-  contact.v_before = before.v_WB;
-  contact.w_before = before.w_WB;
-  return &contact;
-}
-
-void finish(Contact* contact, const BallState& after, const Vector3d& n, const Vector3d& p_WC, const Vector3d& v_other,
-            const Vector3d& impulse)
-{
-  if (contact == nullptr) return;
-  contact->n_W = n;
-  contact->p_WC = p_WC;
-  contact->v_other = v_other;
-  contact->v_after = after.v_WB;
-  contact->w_after = after.w_WB;
-  contact->impulse = impulse;
+  const std::uint32_t ball = world.pile.ball[i];
+  recordContact(world, world.balls[ball], ball, other,
+                {std::min(world.pile.start + t, world.pile.end), n, u, before.p_WB, before.v_WB, after.v_WB,
+                 before.w_WB, after.w_WB, impulse});
 }
 
 // --- two balls ---
@@ -74,14 +59,9 @@ void hitPair(WorldWithSolver& world, const PairLink& link, double t)
   const Vector3d v_other = b.v_WB + b.w_WB.cross(p_WC - b.p_WB);
   if (!pile.moving.empty())
     for (const std::uint32_t i : {link.a, link.b}) noteOther(pile, i);
-  Contact* contact = newContact(world, pile.ball[link.a], a, t);
+  const BallState before = a;
   const Vector3d impulse = part(law, law.restitutionAt(closing) * closing, params_a, a, params_b, b, n);
-  if (contact != nullptr)
-  {
-    contact->with_ball = true;
-    contact->other_ball = world.balls[pile.ball[link.b]].id;
-  }
-  finish(contact, a, n, p_WC, v_other, impulse);
+  record(world, link.a, HitObject::ballOf(world.balls[pile.ball[link.b]].id), t, before, a, n, v_other, impulse);
   fork(pile, link.a, a, t);
   fork(pile, link.b, b, t);
   pile.untouched[link.a] = pile.untouched[link.b] = 0.0f;
@@ -101,7 +81,6 @@ void hitBody(WorldWithSolver& world, const BodyLink& link, double t)
   pile.wake(i);
   const Vector3d p_WC = state.p_WB - pile.radius(i) * gap.n_W;
   const Vector3d u = body.moving ? frame.pointVelocity(p_WC) : Vector3d::Zero();
-  Contact* contact = newContact(world, pile.ball[i], state, t);
   Surface law = world.scene.surfaces.at(pile.params(i).material, shape.material);
   const bool along = body.moving && takesAlong(pile, link, t);
   if (along) law.restitution = 0.0;
@@ -109,12 +88,7 @@ void hitBody(WorldWithSolver& world, const BodyLink& link, double t)
   const BallState before = state;
   Vector3d impulse = bounce(law, pile.params(i), state, u, gap.n_W);
   if (along) limitImpulse(pile.params(i), before, u.norm(), state, impulse);
-  if (contact != nullptr)
-  {
-    contact->body = link.body;
-    contact->shape = link.shape;
-  }
-  finish(contact, state, gap.n_W, p_WC, u, impulse);
+  record(world, i, HitObject::shapeOf(link.body, link.shape), t, before, state, gap.n_W, u, impulse);
   fork(pile, i, state, t);
 }
 

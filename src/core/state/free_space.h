@@ -5,8 +5,6 @@
 
 namespace ping_pong
 {
-constexpr double kTouching = 1e-9;  ///< overlap that is no overlap [m]
-
 /// Moves a sphere out of all bodies and balls along their normals; false if there is no room nearby. `except` is a ball
 /// that does not count.
 bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, std::size_t except);

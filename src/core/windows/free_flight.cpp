@@ -20,9 +20,11 @@ bool hasEvents(const WorldWithWindows& world, std::size_t i, double end)
       return false;
     case GlanceKind::How::AskRecord:
       return soonest(world.balls[i]).time <= end;
-    default:
-      return glance.next <= end && soonest(world.balls[i]).time <= end;
+    case GlanceKind::How::Flies:
+    case GlanceKind::How::Lies:
+      break;
   }
+  return glance.next <= end && soonest(world.balls[i]).time <= end;
 }
 
 // What it sweeps if nothing happens to it.

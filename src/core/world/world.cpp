@@ -6,6 +6,7 @@
 #include "base/law_counter.h"
 #include "base/prefault.h"
 #include "evolve/flight.h"
+#include "geometry/tolerances.h"
 #include "methods/method.h"
 #include "methods/release_squeezed.h"
 #include "paddle/paddle_drive.h"
@@ -76,7 +77,7 @@ void setInMotion(BodyRecord& record)
 // Whether two balls overlap by more than half of what hasRoom() lets pass.
 bool spheresOverlap(const BallRecord& a, const BallRecord& b, double time)
 {
-  const double reach = a.params().radius + b.params().radius - 0.5 * kTouching;
+  const double reach = a.params().radius + b.params().radius - 0.5 * kOverlapTolerance;
   return (a.path.position(time - a.path.start) - b.path.position(time - b.path.start)).squaredNorm() < reach * reach;
 }
 
