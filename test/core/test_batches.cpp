@@ -19,10 +19,10 @@ std::vector<TouchBatch> placedIn(const std::vector<std::array<std::uint32_t, 2>>
   OpenBatches open;
   for (const auto& [a, b] : touches)
   {
-    const std::uint32_t place = open.place(batches, a, b);
-    EXPECT_TRUE(places.insert(place).second) << "each touch has a place of its own";
-    EXPECT_EQ(batches[place / kLanes].a[place % kLanes], a);
-    EXPECT_EQ(batches[place / kLanes].b[place % kLanes], b);
+    const LanePlace place = open.place(batches, a, b);
+    EXPECT_TRUE(places.insert(place.index).second) << "each touch has a place of its own";
+    EXPECT_EQ(batches[place.batch()].a[place.lane()], a);
+    EXPECT_EQ(batches[place.batch()].b[place.lane()], b);
   }
   return batches;
 }

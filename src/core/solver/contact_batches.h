@@ -9,6 +9,15 @@
 
 namespace ping_pong
 {
+/// The place of a touch in a list of batches.
+struct LanePlace
+{
+  std::uint32_t index;  ///< of all lanes, those of one batch after those of the one before
+
+  std::size_t batch() const { return index / kLanes; }
+  std::size_t lane() const { return index % kLanes; }
+};
+
 /// Links in touch, as the solver needs them: four pairs of balls, or four balls with bodies.
 struct alignas(64) TouchBatch
 {
@@ -49,17 +58,17 @@ class OpenBatches
 public:
   OpenBatches() { balls_.fill(kFull); }
 
-  /// The place of a touch of these balls: kLanes times the index of its batch, plus the lane. The rest of it is to be written.
-  std::uint32_t place(std::vector<TouchBatch>& batches, std::uint32_t a, std::uint32_t b)
+  /// The place of a touch of these balls. The rest of it is to be written.
+  LanePlace place(std::vector<TouchBatch>& batches, std::uint32_t a, std::uint32_t b)
   {
     const std::uint64_t balls = bit(a) | bit(b);
     unsigned fit = 0;
     for (std::size_t k = 0; k < kMost; ++k) fit |= static_cast<unsigned>((balls_[k] & balls) == 0) << k;
     const std::size_t k = fit != 0 ? static_cast<std::size_t>(__builtin_ctz(fit)) : open(batches, a);
-    const std::uint32_t place = next_[k]++;
-    const std::size_t lane = place % kLanes;
-    batches[place / kLanes].a[lane] = a;
-    batches[place / kLanes].b[lane] = b;
+    const LanePlace place{next_[k].index++};
+    const std::size_t lane = place.lane();
+    batches[place.batch()].a[lane] = a;
+    batches[place.batch()].b[lane] = b;
     balls_[k] = lane + 1 == kLanes ? kFull : balls_[k] | balls;
     return place;
   }
@@ -78,13 +87,13 @@ private:
     for (std::size_t other = 0; other < kMost; ++other)
       if (balls_[other] == kFull) k = other;
     balls_[k] = 0;
-    next_[k] = static_cast<std::uint32_t>(kLanes * batches.size());
+    next_[k].index = static_cast<std::uint32_t>(kLanes * batches.size());
     batches.emplace_back(ball);
     return k;
   }
 
-  std::array<std::uint64_t, kMost> balls_;   ///< a bit for each, which it may share with others
-  std::array<std::uint32_t, kMost> next_{};  ///< place
+  std::array<std::uint64_t, kMost> balls_;  ///< a bit for each, which it may share with others
+  std::array<LanePlace, kMost> next_{};
   std::size_t oldest_ = 0;
 };
 }  // namespace ping_pong

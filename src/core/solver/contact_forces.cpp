@@ -69,8 +69,8 @@ void resist(WorldWithSolver& world, const PileShare& share, const BodyTouch& tou
   const BallKind& kind = pile.kinds[ball.kind];
   const Surface& law = world.scene.surfaces.at(kind.params.material, touch.material);
   if (law.rolling_resistance == 0.0 && law.spin_friction == 0.0) return;
-  const TouchBatch& batch = share.body_batches[touch.place / kLanes];
-  const std::size_t lane = touch.place % kLanes;
+  const TouchBatch& batch = share.body_batches[touch.place.batch()];
+  const std::size_t lane = touch.place.lane();
   const double load = static_cast<double>(batch.normal[lane] * pile.changes[touch.ball].v.w());  // [m/s]
   const Vector3d n = batch.n.at(lane).cast<double>();
   const Vector3d u = ball.v - touch.u;
@@ -94,8 +94,8 @@ void keepBodies(Pile& pile, const PileShare& share)
 {
   for (const BodyTouch& touch : share.body_touches)
   {
-    const TouchBatch& batch = share.body_batches[touch.place / kLanes];
-    const std::size_t lane = touch.place % kLanes;
+    const TouchBatch& batch = share.body_batches[touch.place.batch()];
+    const std::size_t lane = touch.place.lane();
     const float normal = batch.normal[lane];
     if (!touch.moving) pile.bodies[touch.link].push = lanesOf(batch.tangent.at(lane), static_cast<double>(normal));
     if (normal > 0.0f) pile.pushed[touch.ball] |= Pile::kCarried;

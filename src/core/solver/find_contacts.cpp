@@ -65,14 +65,14 @@ void gatherPair(Pile& pile, PileShare& share, std::uint32_t l)
   const double room =
       hit ? 0.0 : std::min(d.squaredNorm() - reach * reach, 0.0);  // what there was at the start does not count
   const bool forgets = room < -kForgets * (2.0 * reach - kForgets);
-  const std::uint32_t place = share.open_pairs.place(share.pair_batches, link.a, link.b);
-  if (share.found.size() <= place)
+  const LanePlace place = share.open_pairs.place(share.pair_batches, link.a, link.b);
+  if (share.found.size() <= place.index)
   {
-    share.found.resize(place + kMoreFound);
-    share.pair_links.resize(place + kMoreFound);
+    share.found.resize(place.index + kMoreFound);
+    share.pair_links.resize(place.index + kMoreFound);
   }
-  share.pair_links[place] = l;
-  FoundPair& found = share.found[place];
+  share.pair_links[place.index] = l;
+  FoundPair& found = share.found[place.index];
   found.way = lanesOf(d_end, square - reach * reach);
   found.u = lanesOf(u, room);
   found.push = forgets ? Lanes{} : pile.pushes[l];
@@ -97,8 +97,8 @@ void passOn(Pile& pile, PileShare& share, std::uint32_t from, std::uint32_t to)
     for (const BodyTouch& touch : share.body_touches)  // it has been gathered
     {
       if (touch.moving || touch.link != to) continue;
-      TouchBatch& batch = share.body_batches[touch.place / kLanes];
-      const std::size_t lane = touch.place % kLanes;
+      TouchBatch& batch = share.body_batches[touch.place.batch()];
+      const std::size_t lane = touch.place.lane();
       batch.tangent.set(lane, Vector3f(batch.tangent.at(lane) + Vector3f(old.push[0], old.push[1], old.push[2])));
       batch.normal[lane] += old.push[3];
     }
@@ -135,10 +135,10 @@ void addTouch(WorldWithSolver& world, PileShare& share, std::uint32_t l, const B
   const double middle = pile.start + 0.5 * pile.h - body.motion.start;
   const Vector3d u =
       body.moving ? frameAt(body.motion, middle).pointVelocity(end - radius * near.normal) : Vector3d(Vector3d::Zero());
-  const std::uint32_t place = share.open_bodies.place(share.body_batches, i, TouchBatch::kBody);
+  const LanePlace place = share.open_bodies.place(share.body_batches, i, TouchBatch::kBody);
   share.body_touches.push_back({u, l, place, i, material, body.moving});
-  TouchBatch& batch = share.body_batches[place / kLanes];
-  const std::size_t lane = place % kLanes;
+  TouchBatch& batch = share.body_batches[place.batch()];
+  const std::size_t lane = place.lane();
   const Vector3d v = mover.v - u;
   const Vector3f n = near.normal.cast<float>();
   batch.n.set(lane, n);

@@ -123,12 +123,13 @@ void lookAtShare(const WorldWithSolver& world, PileShare& share)
 {
   const Pile& pile = world.pile;
   share.ahead.clear();
-  const auto note = [&](double t, std::uint32_t code)
+  const auto note = [&](double t, LinkName link)
   {
-    if (t <= pile.h) share.ahead.push_back({t, code, pile.counter});
+    if (t <= pile.h) share.ahead.push_back({t, link, pile.counter});
   };
-  for (const std::uint32_t l : share.active_bodies) note(nextWithBody(world, pile.bodies[l]), 3 * l + 1);
-  for (const std::uint32_t l : share.active_pairs) note(nextOfPair(pile, pile.pairs[l]), 3 * l);
+  for (const std::uint32_t l : share.active_bodies)
+    note(nextWithBody(world, pile.bodies[l]), {l, LinkName::StillBodies});
+  for (const std::uint32_t l : share.active_pairs) note(nextOfPair(pile, pile.pairs[l]), {l, LinkName::Pairs});
 }
 
 void lookAtAll(WorldWithSolver& world)
@@ -138,7 +139,7 @@ void lookAtAll(WorldWithSolver& world)
   pile.ahead.clear();
   for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
     if (const double t = nextWithBody(world, pile.moving[l]); t <= pile.h)
-      pile.ahead.push_back({t, 3 * l + 2, pile.counter});
+      pile.ahead.push_back({t, {l, LinkName::MovingBodies}, pile.counter});
   for (const PileShare& share : pile.shares)
     pile.ahead.insert(pile.ahead.end(), share.ahead.begin(), share.ahead.end());
   std::make_heap(pile.ahead.begin(), pile.ahead.end(), later);
@@ -148,20 +149,20 @@ void lookAtAll(WorldWithSolver& world)
 void lookAgain(WorldWithSolver& world, std::uint32_t i)
 {
   Pile& pile = world.pile;
-  const auto note = [&pile](double t, std::uint32_t code)
+  const auto note = [&pile](double t, LinkName link)
   {
     if (!(t <= pile.h)) return;
-    pile.ahead.push_back({t, code, pile.counter});
+    pile.ahead.push_back({t, link, pile.counter});
     std::push_heap(pile.ahead.begin(), pile.ahead.end(), later);
   };
   for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
-    if (pile.moving[l].ball == i) note(nextWithBody(world, pile.moving[l]), 3 * l + 2);
+    if (pile.moving[l].ball == i) note(nextWithBody(world, pile.moving[l]), {l, LinkName::MovingBodies});
   for (std::uint32_t l = pile.first_body[i]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
-    note(nextWithBody(world, pile.bodies[l]), 3 * l + 1);
+    note(nextWithBody(world, pile.bodies[l]), {l, LinkName::StillBodies});
   pile.anyLink(i,
                [&](std::uint32_t l)
                {
-                 note(nextOfPair(pile, pile.pairs[l]), 3 * l);
+                 note(nextOfPair(pile, pile.pairs[l]), {l, LinkName::Pairs});
                  return false;
                });
 }
@@ -170,15 +171,16 @@ void lookAgain(WorldWithSolver& world, std::uint32_t i)
 bool handle(WorldWithSolver& world, const ImpactAhead& impact, std::uint32_t& a, std::uint32_t& b)
 {
   Pile& pile = world.pile;
-  const std::uint32_t l = impact.link / 3, list = impact.link % 3;
-  a = list == 0 ? pile.pairs[l].a : list == 1 ? pile.bodies[l].ball : pile.moving[l].ball;
-  b = list == 0 ? pile.pairs[l].b : a;
+  const std::uint32_t l = impact.link.index;
+  const bool pair = impact.link.list == LinkName::Pairs, still = impact.link.list == LinkName::StillBodies;
+  a = pair ? pile.pairs[l].a : still ? pile.bodies[l].ball : pile.moving[l].ball;
+  b = pair ? pile.pairs[l].b : a;
   if (pile.movers[a].stamp > impact.made || pile.movers[b].stamp > impact.made) return false;
   ++pile.counter;
-  if (list == 0)
+  if (pair)
     hitPair(world, pile.pairs[l], impact.time);
   else
-    hitBody(world, list == 1 ? pile.bodies[l] : pile.moving[l], impact.time);
+    hitBody(world, still ? pile.bodies[l] : pile.moving[l], impact.time);
   return true;
 }
 }  // namespace

@@ -91,13 +91,13 @@ void chainPair(Pile& pile, std::uint32_t l)
   PairLink& link = pile.pairs[l];
   link.next_a = pile.first_link[link.a];
   link.next_b = pile.first_link[link.b];
-  pile.first_link[link.a] = 2 * l;
-  pile.first_link[link.b] = 2 * l + 1;
+  pile.first_link[link.a] = {l, 0};
+  pile.first_link[link.b] = {l, 1};
 }
 
 void chainPairs(Pile& pile)
 {
-  pile.first_link.assign(pile.movers.size(), Pile::kEndOfChain);
+  pile.first_link.assign(pile.movers.size(), PairEnd::endOfChain());
   for (std::uint32_t l = static_cast<std::uint32_t>(pile.pairs.size()); l-- > 0;) chainPair(pile, l);
 }
 
@@ -129,7 +129,7 @@ void linkStray(Pile& pile, std::uint32_t i, const PileGrid::Entry& mine, const P
   if (k == i || !overlap(mine, other)) return;
   if (pile.anyLink(i, [&](std::uint32_t l) { return pile.pairs[l].a == k || pile.pairs[l].b == k; })) return;
   const auto l = static_cast<std::uint32_t>(pile.pairs.size());
-  pile.pairs.push_back({std::min(i, k), std::max(i, k), 0, 0});
+  pile.pairs.push_back({std::min(i, k), std::max(i, k), {}, {}});
   pile.pushes.push_back(Lanes{});
   pile.held.push_back(-1.0f);
   PileShare& share = shareOf(pile, pile.pairs[l]);

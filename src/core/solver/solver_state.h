@@ -27,11 +27,22 @@ struct BallKind
   double give = 0.0;              ///< 1 + 1/k: slip of the touching point is this times impulse / mass
 };
 
+/// A link in the chain of one of its two balls.
+struct PairEnd
+{
+  std::uint32_t pair : 31;  ///< index of the link
+  std::uint32_t is_b : 1;   ///< the chain is that of its ball b
+
+  static PairEnd endOfChain() { return {~0u >> 1, 1}; }
+  bool isEnd() const { return pair == ~0u >> 1; }
+};
+static_assert(sizeof(PairEnd) == 4, "there are thousands of links");
+
 /// Two balls that may touch soon. Each ball has a chain of its links: see anyLink().
 struct PairLink
 {
-  std::uint32_t a, b;            ///< slots; normals point from b to a
-  std::uint32_t next_a, next_b;  ///< of the chains of a and b: twice the index of a link, and 1 if the ball is its b
+  std::uint32_t a, b;      ///< slots; normals point from b to a
+  PairEnd next_a, next_b;  ///< of the chains of a and b
 };
 
 /// A ball and a shape that may touch soon.
@@ -55,7 +66,7 @@ struct BodyTouch
 {
   Vector3d u;  ///< velocity of the touched point of the body [m/s]
   std::uint32_t link;
-  std::uint32_t place;  ///< among the batches
+  LanePlace place;      ///< among the batches
   std::uint32_t ball;   ///< slot
   std::uint16_t material;
   bool moving;  ///< link of a moving body
@@ -68,14 +79,32 @@ struct SqueezedBall
   Vector3d p_WB;       ///< [m]
 };
 
+/// What meets: a link in one of the three lists of a pile.
+struct LinkName
+{
+  enum List : std::uint32_t
+  {
+    Pairs,
+    StillBodies,
+    MovingBodies
+  };
+  std::uint32_t index : 30;
+  std::uint32_t list : 2;
+
+  bool operator>(const LinkName& other) const
+  {
+    return index != other.index ? index > other.index : list > other.list;
+  }
+};
+
 /// An impact in this step, if nothing happens to its balls before.
 struct ImpactAhead
 {
-  double time;  ///< from the start of the step [s]
-  std::uint32_t
-      link;  ///< 3 times the index of the link, plus 0: of two balls, 1: with a still body, 2: with a moving one
+  double time;         ///< from the start of the step [s]
+  LinkName link;       ///< of impacts at the same time the least comes first
   std::uint32_t made;  ///< on the counter of the pile
 };
+static_assert(sizeof(ImpactAhead) == 16, "a heap of them");
 
 /// A slab of the pile: its balls, the links of which it has the first ball, and what a step notes of them. Lists of links are
 /// in the order of their indices.
@@ -136,7 +165,7 @@ struct Pile : PileSlots
   std::array<PileShare, kMostSlabs + 1> shares;  ///< slabs; the last one has the links that go farther
   std::size_t slabs = 1;
   std::vector<std::uint8_t> share_of;     ///< slab of each ball, since the links were built
-  std::vector<std::uint32_t> first_link;  ///< of each ball, the beginning of the chain of its links in `pairs`
+  std::vector<PairEnd> first_link;        ///< of each ball, the beginning of the chain of its links in `pairs`
   std::vector<std::uint32_t> first_body;  ///< the same in `bodies`
   std::vector<ImpactAhead> ahead;         ///< heap, the next one on top
   std::vector<SqueezedBall> squeezed;     ///< found in this step, by index
@@ -175,11 +204,11 @@ struct Pile : PileSlots
   template <typename Action>
   bool anyLink(std::uint32_t ball, const Action& action) const
   {
-    for (std::uint32_t end = first_link[ball]; end != kEndOfChain;)
+    for (PairEnd end = first_link[ball]; !end.isEnd();)
     {
-      const PairLink& link = pairs[end / 2];
-      const std::uint32_t next = end % 2 == 0 ? link.next_a : link.next_b;
-      if (action(end / 2)) return true;
+      const PairLink& link = pairs[end.pair];
+      const PairEnd next = end.is_b ? link.next_b : link.next_a;
+      if (action(end.pair)) return true;
       end = next;
     }
     return false;

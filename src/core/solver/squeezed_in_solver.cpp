@@ -68,7 +68,7 @@ double excessOf(const Pile& pile, std::size_t i)
 
 bool presses(const PileShare& share, const BodyTouch& touch)
 {
-  return share.body_batches[touch.place / kLanes].normal[touch.place % kLanes] > 0.0f;
+  return share.body_batches[touch.place.batch()].normal[touch.place.lane()] > 0.0f;
 }
 
 // Deeper than before and than the contacts of this step may leave it.

@@ -60,7 +60,7 @@ void Glances::lookAtAll(const std::vector<BallRecord>& balls, std::uint32_t edit
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     const BallRecord& ball = balls[i];
-    list_[i].next = lookAt(ball, i, false);
+    list_[i].setNext(lookAt(ball, i, false));
     const GlanceKind::How how = howOf(ball);
     const bool new_kind = list_[i].kind == kAskRecord && how != GlanceKind::How::AskRecord;
     const bool rolls = how == GlanceKind::How::Flies && !ball.supports.none();

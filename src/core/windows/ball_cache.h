@@ -26,11 +26,22 @@ inline float floatBefore(double t)
 /// What changes most, in one word: of several workers one can claim a ball.
 struct alignas(8) GlanceHead
 {
-  union
+  /// No event with a body is earlier [s]. Of a ball that is not busy.
+  float next() const
   {
-    float next = 0.0f;    ///< no event with a body is earlier [s]; of a busy ball:
-    std::uint32_t entry;  ///< of its record, see IslandRecords
-  };
+    float time;
+    std::memcpy(&time, &next_or_entry_, sizeof time);
+    return time;
+  }
+  void setNext(float time) { std::memcpy(&next_or_entry_, &time, sizeof time); }
+  /// Of its record, see IslandRecords. Of a busy ball.
+  std::uint32_t entry() const { return next_or_entry_; }
+  void setEntry(std::uint32_t entry) { next_or_entry_ = entry; }
+
+private:
+  std::uint32_t next_or_entry_ = 0;  ///< 0: the time 0
+
+public:
   std::uint16_t version = 0;  ///< of the path: its last bits
   std::uint8_t kind = 0;      ///< entry in Glances::kinds
   bool bent : 1;              ///< the ball has left a path in this window,

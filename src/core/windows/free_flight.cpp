@@ -24,7 +24,7 @@ bool hasEvents(const WorldWithWindows& world, std::size_t i, double end)
     case GlanceKind::How::Lies:
       break;
   }
-  return glance.next <= end && soonest(world.balls[i]).time <= end;
+  return glance.next() <= end && soonest(world.balls[i]).time <= end;
 }
 
 // What it sweeps if nothing happens to it.
@@ -59,7 +59,7 @@ void takeDue(IslandWork& list, Glances& glances, double end)
   list.turn.clear();
   std::size_t kept = 0;
   for (const std::uint32_t i : list.due)
-    if (static_cast<double>(glances[i].next) <= end)
+    if (static_cast<double>(glances[i].next()) <= end)
     {
       glances[i].due = false;
       list.turn.push_back(i);
@@ -91,7 +91,7 @@ void runInTurn(WorldWithWindows& world, const WorkerWindow& window, IslandWork& 
 
 bool isDue(const IslandRecords& islands, std::size_t i)
 {
-  return static_cast<double>(islands.glances[i].next) <= islands.outlook.end;
+  return static_cast<double>(islands.glances[i].next()) <= islands.outlook.end;
 }
 
 bool seesAhead(const WorldWithWindows& world, double end)

@@ -43,7 +43,7 @@ void forgetIslands(IslandRecords& islands, IslandWork& list, bool ahead)
   {
     const std::uint32_t i = busy.ball;
     Glance& glance = islands.glances[i];
-    glance.next = busy.next_event;
+    glance.setNext(busy.next_event);
     glance.busy = glance.bent = false;
     if (ahead && isDue(islands, i)) islands.noteDue(list, i);
   }

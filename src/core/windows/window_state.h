@@ -48,7 +48,7 @@ struct alignas(128) IslandWork : Records
     std::uint32_t root,
         next;            ///< union-find over balls, and the circular list of an island's; the least index is the root
     std::uint32_t size;  ///< of the island, if this is its root [balls]
-    float next_event;    ///< Glance::next of the ball after this window [s]
+    float next_event;    ///< Glance::next() of the ball after this window [s]
     std::uint32_t saved, piece;  ///< entries in the lists of workers, or IslandRecords::kNoEntry; its last piece
     std::uint32_t run : 30;      ///< of its island, the last one; 0 if the ball has been alone
     std::uint32_t met : 1;       ///< it has hit a ball in that run
@@ -96,15 +96,15 @@ struct IslandRecords
   const BallRecord& saved(std::uint32_t entry) const { return workOf(entry).saved[indexOf(entry)]; }
   bool isBusy(std::size_t i) const { return glances[i].busy; }
   /// Of a ball that is.
-  IslandWork::Busy& busy(std::size_t i) { return workOf(glances[i].entry).busy[indexOf(glances[i].entry)]; }
-  const IslandWork::Busy& busy(std::size_t i) const { return workOf(glances[i].entry).busy[indexOf(glances[i].entry)]; }
+  IslandWork::Busy& busy(std::size_t i) { return workOf(glances[i].entry()).busy[indexOf(glances[i].entry())]; }
+  const IslandWork::Busy& busy(std::size_t i) const { return workOf(glances[i].entry()).busy[indexOf(glances[i].entry())]; }
   /// The same, from now on if it was not yet: an island of its own.
   IslandWork::Busy& makeBusy(IslandWork& its_work, std::size_t i)
   {
     Glance& glance = glances[i];
     if (glance.busy) return busy(i);
-    const float next = glance.next;
-    glance.entry = entry(its_work, its_work.busy.size());
+    const float next = glance.next();
+    glance.setEntry(entry(its_work, its_work.busy.size()));
     glance.busy = true;
     return addBusy(its_work, i, next);
   }
@@ -117,18 +117,18 @@ struct IslandRecords
       return true;
     }
     const GlanceHead now = glances.head(i);
-    if (now.busy) return now.entry >> kIndexBits == its_work.worker;
+    if (now.busy) return now.entry() >> kIndexBits == its_work.worker;
     GlanceHead claimed = now;
-    claimed.entry = entry(its_work, its_work.busy.size());
+    claimed.setEntry(entry(its_work, its_work.busy.size()));
     claimed.busy = true;
     if (!glances.replace(i, now, claimed)) return false;
-    addBusy(its_work, i, now.next);
+    addBusy(its_work, i, now.next());
     return true;
   }
   /// Whether ball i, which is busy, is in the list of this worker; while others are claimed.
   bool isOf(const IslandWork& its_work, std::size_t i) const
   {
-    return glances.head(i).entry >> kIndexBits == its_work.worker;
+    return glances.head(i).entry() >> kIndexBits == its_work.worker;
   }
   static IslandWork::Busy& addBusy(IslandWork& its_work, std::size_t i, float next)
   {
