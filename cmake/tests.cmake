@@ -77,7 +77,7 @@ foreach(name
     cradle
     corner
     same_bits
-    hop
+    bounce_run
     crowds
     gas
     state_hash
@@ -88,8 +88,8 @@ foreach(name
     islands
     impulse
     contact_list
-    pile_seams
-    pile_squeeze
+    solver_seams
+    solver_squeeze
     handover
     edges
     grazing

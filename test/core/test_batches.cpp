@@ -12,22 +12,22 @@ namespace ping_pong
 {
 namespace
 {
-std::vector<TouchBatch> placedIn(const std::vector<std::array<std::uint32_t, 2>>& touches,
-                                 std::set<std::uint32_t>& places)
+std::vector<ConstraintBatch> placedIn(const std::vector<std::array<std::uint32_t, 2>>& constraints,
+                                      std::set<std::uint32_t>& indices)
 {
-  std::vector<TouchBatch> batches;
+  std::vector<ConstraintBatch> batches;
   OpenBatches open;
-  for (const auto& [a, b] : touches)
+  for (const auto& [a, b] : constraints)
   {
-    const LanePlace place = open.place(batches, a, b);
-    EXPECT_TRUE(places.insert(place.index).second) << "each touch has a place of its own";
-    EXPECT_EQ(batches[place.batch()].a[place.lane()], a);
-    EXPECT_EQ(batches[place.batch()].b[place.lane()], b);
+    const ConstraintIndex index = open.add(batches, a, b);
+    EXPECT_TRUE(indices.insert(index.value).second) << "each touch has a place of its own";
+    EXPECT_EQ(batches[index.batch()].a[index.lane()], a);
+    EXPECT_EQ(batches[index.batch()].b[index.lane()], b);
   }
   return batches;
 }
 
-std::size_t touchesIn(const TouchBatch& batch)
+std::size_t constraintsIn(const ConstraintBatch& batch)
 {
   std::size_t count = 0;
   for (std::size_t k = 0; k < kLanes; ++k) count += batch.has(k);
@@ -36,44 +36,47 @@ std::size_t touchesIn(const TouchBatch& batch)
 
 TEST(Batches, NoBallIsTwiceInOne)
 {
-  std::vector<std::array<std::uint32_t, 2>> touches;  // a cubic lattice, 12 wide
+  std::vector<std::array<std::uint32_t, 2>> constraints;  // a cubic lattice, 12 wide
   for (std::uint32_t i = 0; i < 12 * 12 * 12; ++i)
     for (const std::uint32_t step : {1u, 12u, 144u})
-      if (i / step % 12 != 11) touches.push_back({i, i + step});
-  std::set<std::uint32_t> places;
-  const std::vector<TouchBatch> batches = placedIn(touches, places);
+      if (i / step % 12 != 11) constraints.push_back({i, i + step});
+  std::set<std::uint32_t> indices;
+  const std::vector<ConstraintBatch> batches = placedIn(constraints, indices);
   std::size_t found = 0;
-  for (const TouchBatch& batch : batches)
+  for (const ConstraintBatch& batch : batches)
   {
     std::set<std::uint32_t> balls;
     for (std::size_t k = 0; k < kLanes; ++k)
       if (batch.has(k)) balls.insert({batch.a[k], batch.b[k]});
-    EXPECT_EQ(balls.size(), 2 * touchesIn(batch));
-    EXPECT_EQ(batch.full(), touchesIn(batch) == kLanes);
-    found += touchesIn(batch);
+    EXPECT_EQ(balls.size(), 2 * constraintsIn(batch));
+    EXPECT_EQ(batch.full(), constraintsIn(batch) == kLanes);
+    found += constraintsIn(batch);
   }
-  EXPECT_EQ(found, touches.size());
+  EXPECT_EQ(found, constraints.size());
   std::printf("[ measured ] lanes in use: %.1f %%\n",
               100.0 * static_cast<double>(found) / static_cast<double>(kLanes * batches.size()));
   EXPECT_GE(found, 0.9 * static_cast<double>(kLanes * batches.size())) << "else little is gained by four at a time";
 }
 
-TEST(Batches, TouchesOfOneBallAreAllInDifferentOnes)
+TEST(Batches, ConstraintsOfOneBallAreAllInDifferentOnes)
 {
-  std::vector<std::array<std::uint32_t, 2>> touches;
-  for (std::uint32_t k = 1; k <= 20; ++k) touches.push_back({0, k});
-  std::set<std::uint32_t> places;
-  EXPECT_EQ(placedIn(touches, places).size(), 20u);
+  std::vector<std::array<std::uint32_t, 2>> constraints;
+  for (std::uint32_t k = 1; k <= 20; ++k) constraints.push_back({0, k});
+  std::set<std::uint32_t> indices;
+  EXPECT_EQ(placedIn(constraints, indices).size(), 20u);
 }
 
 TEST(Batches, ABallWithABodySharesNoneWithOthers)
 {
-  std::set<std::uint32_t> places;
-  const std::vector<TouchBatch> batches = placedIn(
-      {{0, TouchBatch::kBody}, {1, TouchBatch::kBody}, {2, TouchBatch::kBody}, {0, TouchBatch::kBody}}, places);
+  std::set<std::uint32_t> indices;
+  const std::vector<ConstraintBatch> batches = placedIn({{0, ConstraintBatch::kBody},
+                                                         {1, ConstraintBatch::kBody},
+                                                         {2, ConstraintBatch::kBody},
+                                                         {0, ConstraintBatch::kBody}},
+                                                        indices);
   ASSERT_EQ(batches.size(), 2u);
-  EXPECT_EQ(touchesIn(batches[0]), 3u);
-  EXPECT_EQ(touchesIn(batches[1]), 1u);
+  EXPECT_EQ(constraintsIn(batches[0]), 3u);
+  EXPECT_EQ(constraintsIn(batches[1]), 1u);
   EXPECT_FALSE(batches[0].full());
 }
 

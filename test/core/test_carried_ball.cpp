@@ -174,7 +174,7 @@ struct Held
 };
 constexpr Held kHeld[] = {{0.3, 0.5}, {0.5, 0.15}};  // slides first, rolls first
 
-TEST(HeldBall, StaysOnAPlateThatSpeedsUpBelowTheLimitAndIsLeftBehindAboveIt)
+TEST(ConstrainedBall, StaysOnAPlateThatSpeedsUpBelowTheLimitAndIsLeftBehindAboveIt)
 {
   for (const Held& held : kHeld)
   {
@@ -197,7 +197,7 @@ TEST(HeldBall, StaysOnAPlateThatSpeedsUpBelowTheLimitAndIsLeftBehindAboveIt)
 // The plate turns evenly about the y axis, in its top; the ball goes along, r above it, with w^2 r towards the axis. It is let go
 // where tan of the angle passes the limit: g sin = limit (g cos - w^2 r).
 // Not held yet: the way after it is off by up to 0.3 mm.
-TEST(HeldBall, IsLetGoByATiltingPlateAtTheRightInstant)
+TEST(ConstrainedBall, IsLetGoByATiltingPlateAtTheRightInstant)
 {
   const double turn = 0.5;
   for (const Held& held : kHeld)
@@ -245,7 +245,7 @@ TEST(HeldBall, IsLetGoByATiltingPlateAtTheRightInstant)
   }
 }
 
-TEST(HeldBall, IsSwungThroughHalfAMetreWithoutMoving)
+TEST(ConstrainedBall, IsSwungThroughHalfAMetreWithoutMoving)
 {
   for (const Held& held : kHeld)
   {
@@ -261,7 +261,7 @@ TEST(HeldBall, IsSwungThroughHalfAMetreWithoutMoving)
   }
 }
 
-TEST(HeldBall, IsCarriedRoundByATurntableUntilItIsTooFast)
+TEST(ConstrainedBall, IsCarriedRoundByATurntableUntilItIsTooFast)
 {
   for (const Held& held : kHeld)
   {

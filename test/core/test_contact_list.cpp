@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "pile_run.h"
+#include "solver_run.h"
 
 namespace ping_pong
 {
@@ -67,15 +67,15 @@ TEST(ContactList, MissesNoneWhenTheCountOfSweepsBeginsAnew)
   SceneBuilder builder(Method::Impulse, kStep);
   builder.gravity(kG).restitution(0.9).floor();
   for (int i = 0; i < 40; ++i) builder.ball({0.03 * (i % 5) + 0.001 * i, 0.045 * (i / 5), 0.1 + 0.05 * (i % 3)});
-  PileRun early(builder.build(), 1), late(builder.build(), 1);
-  late.world.pile.counter = (1u << 31) - 50u;  // from where it begins anew,
+  SolverRun early(builder.build(), 1), late(builder.build(), 1);
+  late.world.solver.counter = (1u << 31) - 50u;  // from where it begins anew,
   for (int i = 0; i < 1000; ++i)
   {
     early.step();
     late.step();
-    if (i == 300) late.world.pile.counter = ~0u - 100u;  // and from where it would wrap
+    if (i == 300) late.world.solver.counter = ~0u - 100u;  // and from where it would wrap
   }
-  EXPECT_LT(late.world.pile.counter, 1u << 31);
+  EXPECT_LT(late.world.solver.counter, 1u << 31);
   EXPECT_EQ(late.world.contacts.size(), early.world.contacts.size());
   for (std::size_t i = 0; i < early.world.balls.size(); ++i)
   {

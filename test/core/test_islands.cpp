@@ -102,17 +102,17 @@ TEST(BroadPhase, FindsEveryPairOnceInSharesOfAnySize)
       const std::vector<CoarseBox> boxes = count % 2 == 0 ? someBoxes(count, seed) : evenBoxes(count, seed);
       build(broad_phase, boxes, workers);
       const std::size_t share = 1 + broad_phase.boxes() / threads;
-      Pairs pairs, told, announced;
+      Pairs pairs, told, deferred;
       for (std::size_t begin = 0; begin < broad_phase.boxes(); begin += share)
         broad_phase.eachPairs(
             begin, std::min(begin + share, broad_phase.boxes()),
-            [&](std::uint32_t a, std::uint32_t b) { announced.insert(std::minmax(a, b)); },
+            [&](std::uint32_t a, std::uint32_t b) { deferred.insert(std::minmax(a, b)); },
             [&](const BroadPhase::Pair* some, std::size_t how_many)
             {
               for (std::size_t p = 0; p < how_many; ++p)
               {
                 const auto [a, b] = std::minmax(some[p][0], some[p][1]);
-                EXPECT_TRUE(announced.count({a, b})) << "not announced";
+                EXPECT_TRUE(deferred.count({a, b})) << "not announced";
                 EXPECT_TRUE(told.insert({a, b}).second) << "told twice";
                 if (boxes[a].overlaps(boxes[b])) pairs.insert({a, b});
               }
@@ -229,7 +229,7 @@ struct ListOfAdditions
 void add(BroadPhase& broad_phase, const std::vector<CoarseBox>& boxes, Workers& workers)
 {
   std::vector<ListOfAdditions> lists(2);
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) broad_phase.announce(i, boxes[i], lists[i % 2].additions);
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) broad_phase.deferInsertion(i, boxes[i], lists[i % 2].additions);
   broad_phase.add(lists, &ListOfAdditions::additions, workers);
 }
 
@@ -333,19 +333,19 @@ public:
     int hits = 0;
     for (double left = duration; left > 0.0;)
     {
-      double soonest = left;
+      double nextEvent = left;
       std::size_t first = 0, second = 0;
       int wall = -1;
       for (std::size_t i = 0; i < particles_.size(); ++i)
       {
         for (int axis = 0; axis < 3; ++axis)
-          if (const double t = wallTime(particles_[i], axis); t < soonest) soonest = t, first = i, wall = axis;
+          if (const double t = wallTime(particles_[i], axis); t < nextEvent) nextEvent = t, first = i, wall = axis;
         for (std::size_t k = i + 1; k < particles_.size(); ++k)
-          if (const double t = pairTime(particles_[i], particles_[k]); t < soonest)
-            soonest = t, first = i, second = k, wall = -1;
+          if (const double t = pairTime(particles_[i], particles_[k]); t < nextEvent)
+            nextEvent = t, first = i, second = k, wall = -1;
       }
-      for (Particle& particle : particles_) particle.p += soonest * particle.v;
-      left -= soonest;
+      for (Particle& particle : particles_) particle.p += nextEvent * particle.v;
+      left -= nextEvent;
       if (left <= 0.0) break;
       ++hits;
       if (wall >= 0)

@@ -169,15 +169,15 @@ TEST(Segment, FlightInVacuumOwnsNothing)
 {
   Segment path;
   fly(air(), path);
-  EXPECT_TRUE(path.further);
+  EXPECT_TRUE(path.higher);
   Forces vacuum;
   vacuum.gravity = kDown;
   fly(vacuum, path);
-  EXPECT_FALSE(path.further);
+  EXPECT_FALSE(path.higher);
   EXPECT_EQ(path.degree, 2);
   EXPECT_EQ(path.aLow(), kDown);
   EXPECT_EQ(path.aHigh(), kDown);
-  EXPECT_FALSE(flyParabola(thrown(), 0.0, kDown).further);
+  EXPECT_FALSE(flyParabola(thrown(), 0.0, kDown).higher);
 }
 
 TEST(Segment, ACopyIsAPathOfItsOwn)

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "pile_run.h"
+#include "solver_run.h"
 
 namespace ping_pong
 {
@@ -40,7 +40,7 @@ Scene pairsThatMeet()
 // Everything is sped up half-way: ways in a step get longer than the lattice is wide, and few slabs are wide enough for them.
 std::vector<BallState> speedUpBetweenImpacts(std::size_t threads)
 {
-  PileRun run(pairsThatMeet(), threads);
+  SolverRun run(pairsThatMeet(), threads);
   const Vector3d faster(0, 0, 300);
   for (int i = 0; i < kSteps / 2; ++i) run.step();
   const std::size_t slabs = run.slabs();
@@ -94,29 +94,29 @@ Scene ballsInARow()
   return builder.build();
 }
 
-std::size_t asleep(const PileRun& run)
+std::size_t asleep(const SolverRun& run)
 {
   return static_cast<std::size_t>(std::count_if(run.world.balls.begin(), run.world.balls.end(),
                                                 [](const BallRecord& ball) { return ball.asleep(); }));
 }
 
 // The slab that is about to wake somebody up, or none: as many as there are.
-std::size_t wakingSlab(const PileRun& run)
+std::size_t wakingSlab(const SolverRun& run)
 {
-  const auto begin = run.world.pile.shares.begin(), end = begin + static_cast<std::ptrdiff_t>(run.slabs());
+  const auto begin = run.world.solver.slabs.begin(), end = begin + static_cast<std::ptrdiff_t>(run.slabs());
   return static_cast<std::size_t>(
-      std::find_if(begin, end, [](const PileShare& share) { return !share.waking.empty(); }) - begin);
+      std::find_if(begin, end, [](const SolverSlab& slab) { return !slab.waking.empty(); }) - begin);
 }
 
 // A ball is laid on one of them, which wakes up and is gone the next moment, with many others and its slab. Where it was in the
 // lists of the pile there is now a ball that nobody has touched.
 TEST(Slabs, WhoLiesAloneIsNotWokenUpByASlabThatIsGone)
 {
-  PileRun run(ballsInARow(), 1);
+  SolverRun run(ballsInARow(), 1);
   for (int i = 0; i < 500 && asleep(run) < kLying; ++i) run.step();
   ASSERT_EQ(asleep(run), kLying);
   run.step();
-  EXPECT_FALSE(run.world.pile.anyAwake()) << "fewer slabs than there could be";
+  EXPECT_FALSE(run.world.solver.anyAwake()) << "fewer slabs than there could be";
   SceneBall load = run.world.scene.balls[kCarrier];
   load.state.p_WB.z() += 2.0 * kR + 1e-5;
   run.add(load);

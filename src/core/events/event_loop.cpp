@@ -12,7 +12,7 @@
 #include "state/body_gap.h"
 #include "state/collapse_guard.h"
 #include "state/contact_log.h"
-#include "state/crowding.h"
+#include "state/hand_off_rule.h"
 #include "state/squeeze.h"
 
 namespace ping_pong
@@ -26,36 +26,36 @@ constexpr std::size_t kEventsPerBall = 10000;
 
 constexpr double kFromTheStart = -kNever;
 
-void foreseeBalls(WorldState& world, const Window& window, std::size_t i, double resume = kFromTheStart)
+void predictBalls(WorldState& world, const Window& window, std::size_t i, double resume = kFromTheStart)
 {
-  if (world.balls[i].passing) world.balls[i].passing->ball = Event();
+  if (world.balls[i].transient) world.balls[i].transient->ball = Event();
   for (std::size_t m = 0; m < window.count; ++m)
-    if (window.members[m] != i) foreseeBall(world, i, window.members[m], resume, window.end, *window.records);
+    if (window.members[m] != i) predictBall(world, i, window.members[m], resume, window.end, *window.records);
 }
 
-void foreseeBodies(WorldState& world, const Window& window, std::size_t i, double t)
+void predictBodies(WorldState& world, const Window& window, std::size_t i, double t)
 {
-  foresee(world, i, t);
-  if (world.any_moving) foreseeMoving(world, i, t, window.smooth_until);
+  predictStill(world, i, t);
+  if (world.any_moving) predictMoving(world, i, t, window.smooth_until);
 }
 
-void foreseeAll(WorldState& world, const Window& window, std::size_t i, double t)
+void predictAll(WorldState& world, const Window& window, std::size_t i, double t)
 {
-  foreseeBodies(world, window, i, t);
-  if (window.count > 1) foreseeBalls(world, window, i);
+  predictBodies(world, window, i, t);
+  if (window.count > 1) predictBalls(world, window, i);
 }
 
 void changePath(WorldState& world, const Window& window, std::size_t i, const BallState& state, double t)
 {
   BallRecord& ball = world.balls[i];
-  if (window.log) window.log->flown(i, t);
+  if (window.log) window.log->leavesPath(i, t);
   planPath(world, ball, state, t, window.smooth_until);
 }
 
 void restart(WorldState& world, const Window& window, std::size_t i, const BallState& state, double t)
 {
   changePath(world, window, i, state, t);
-  foreseeAll(world, window, i, t);
+  predictAll(world, window, i, t);
 }
 
 // --- squeezed balls ---
@@ -81,8 +81,8 @@ bool squeezedBetween(const WorldState& world, const BallRecord& ball, const Ball
 // --- resolve ---
 
 // After a bounce: if all bounces to come are too small to count, the ball lies on the surface from now on.
-void settle(const WorldState& world, BallRecord& ball, const Event& event, const Surface& law, const BodyFrame& frame,
-            BallState& state, double closing, double leaving, double t)
+void comeToRest(const WorldState& world, BallRecord& ball, const Event& event, const Surface& law,
+                const BodyFrame& frame, BallState& state, double closing, double leaving, double t)
 {
   if (leaving > kSurelyBounces) return;
   const BodyRecord& body = world.bodies[event.other];
@@ -93,7 +93,7 @@ void settle(const WorldState& world, BallRecord& ball, const Event& event, const
   const bool pressed = closing <= kNoClosingSpeed;  // on it, without an impact
   const bool ends = pressed || bouncingEnds(gap.rate, press, touchTolerance(state.p_WB, ball.params().radius));
   // Surfaces that throw a ball at each other without end take it in the end: what is lost is below rounding of a rally.
-  if (!ends && !(ball.streak > kLongStreak && gap.rate < kDeadSpeed)) return;
+  if (!ends && !(ball.quick_contacts > kManyQuick && gap.rate < kNoReboundSpeed)) return;
   ball.supports.add(event.other, event.shape);
   addTouched(world, ball, state, t);
   ball.supports.setSince(t +
@@ -102,11 +102,11 @@ void settle(const WorldState& world, BallRecord& ball, const Event& event, const
   state.p_WB -= gap.gap * gap.n_W;
 }
 
-// In a crush a moving surface takes the ball along and does not throw it: no pumping up between paddle and table.
+// In a collapse, too quick for a rebound, a moving surface takes the ball along and does not throw it: no pumping up between paddle and table.
 Surface lawOf(const WorldState& world, const BallRecord& ball, const BodyRecord& body, const Shape& shape)
 {
   Surface law = world.surface(ball, shape);
-  if (ball.crush > kLongStreak && body.moving) law.restitution = 0.0;
+  if (ball.instant_contacts > kManyQuick && body.moving) law.restitution = 0.0;
   return law;
 }
 
@@ -128,12 +128,13 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
   BallState state = ball.stateAt(t);
   const Gap gap = gapOver(body, shape, state, ball.params().radius, t);
   const Vector3d u = body.moving ? frame.pointVelocity(state.p_WB - ball.params().radius * gap.n_W) : Vector3d::Zero();
-  countStreak(ball, t);
-  if ((ball.crush > kHopelessCrush && body.moving) ||
-      (ball.crush > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
+  countCollapse(ball, t);
+  if ((ball.instant_contacts > kHopelessInstants && body.moving) ||
+      (ball.instant_contacts > kManyQuick && squeezedBetween(world, ball, state, gap, u, t)))
     return squeeze(*window.records, ball, state, t);
   const Surface law = lawOf(world, ball, body, shape);
-  if (ball.streak > kLongStreak && law.restitutionAt(-gap.rate) < 1.0 && strikeTogether(world, window, i, event, t))
+  if (ball.quick_contacts > kManyQuick && law.restitutionAt(-gap.rate) < 1.0 &&
+      strikeTogether(world, window, i, event, t))
     return;
   const BallState before = state;
   bounce(law, ball.params(), state, u, gap.n_W);
@@ -141,17 +142,17 @@ void hitBody(WorldState& world, const Window& window, std::size_t i, const Event
     recordContact(*window.records, ball, i, HitObject::shapeOf(event.other, event.shape),
                   {t, gap.n_W, u, before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB,
                    impulseOf(ball, before.v_WB, state.v_WB)});
-  settle(world, ball, event, law, frame, state, -gap.rate, gap.n_W.dot(state.v_WB - u), t);
+  comeToRest(world, ball, event, law, frame, state, -gap.rate, gap.n_W.dot(state.v_WB - u), t);
   restart(world, window, i, state, t);
 }
 
 // Speed of separation of two balls after they met with this closing speed. Where forces press them together, the end of a
-// pile-up is a hop; else it is an elastic impact.
+// collapse is a small separation; else it is an elastic impact.
 double separationSpeed(const BallRecord& a, const BallRecord& b, double closing, double restitution, bool pressed)
 {
-  if (closing <= kTouchSpeed) return pressed ? kHopSpeed : std::max(closing, 0.0);
-  if (std::min(a.streak, b.streak) <= kLongStreak) return restitution * closing;
-  return pressed ? std::max(closing, kHopSpeed) : closing;
+  if (closing <= kTouchSpeed) return pressed ? kResidualSeparation : std::max(closing, 0.0);
+  if (std::min(a.quick_contacts, b.quick_contacts) <= kManyQuick) return restitution * closing;
+  return pressed ? std::max(closing, kResidualSeparation) : closing;
 }
 
 void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t k, double t)
@@ -163,12 +164,12 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
   BallState state_b = b.stateAt(t);
   const Vector3d n = (state_a.p_WB - state_b.p_WB).normalized();
   const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
-  countStreak(a, t);
-  countStreak(b, t);
+  countCollapse(a, t);
+  countCollapse(b, t);
   const Surface& law = world.surface(a, b);
   const Vector3d pull = a.path.acceleration(t - a.path.start) - b.path.acceleration(t - b.path.start);
   if (law.restitutionAt(closing) < 1.0)
-    for (BallRecord* ball : {&a, &b}) window.records->crowding |= countCrowding(*ball, t);
+    for (BallRecord* ball : {&a, &b}) window.records->frequent_contacts |= countFrequent(*ball, t);
   const double speed = separationSpeed(a, b, closing, law.restitutionAt(closing), n.dot(pull) < 0.0);
   const BallState before_a = state_a;
   const Vector3d p_WC = state_a.p_WB - a.params().radius * n;
@@ -179,27 +180,27 @@ void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t
                   {t, n, v_other, before_a.p_WB, before_a.v_WB, state_a.v_WB, before_a.w_WB, state_a.w_WB, impulse});
   changePath(world, window, i, state_a, t);
   changePath(world, window, k, state_b, t);
-  foreseeAll(world, window, i, t);
-  foreseeAll(world, window, k, t);
+  predictAll(world, window, i, t);
+  predictAll(world, window, k, t);
 }
 
 void handle(WorldState& world, const Window& window, std::size_t i)
 {
   BallRecord& ball = world.balls[i];
-  if (&soonest(ball) == &ball.next && hop(world, window, i))
+  if (&nextEvent(ball) == &ball.next && runBounces(world, window, i))
   {
-    if (window.count > 1) foreseeBalls(world, window, i);
+    if (window.count > 1) predictBalls(world, window, i);
     return;
   }
-  const Event event = soonest(ball);  // a copy: the original goes when the path does
-  const bool with_ball = ball.passing && &soonest(ball) == &ball.passing->ball;
+  const Event event = nextEvent(ball);  // a copy: the original goes when the path does
+  const bool with_ball = ball.transient && &nextEvent(ball) == &ball.transient->ball;
   const double t = event.time;
-  const bool look_again = event.kind == Event::Kind::LookAgain;
-  if (look_again || !stillTrue(world, event))
+  const bool at_horizon = event.kind == Event::Kind::Horizon;
+  if (at_horizon || !stillTrue(world, event))
   {
     // Only what is void is looked for anew: the other answer keeps its bits.
-    if (with_ball) return foreseeBalls(world, window, i, look_again ? t : kFromTheStart);
-    return foreseeBodies(world, window, i, t);
+    if (with_ball) return predictBalls(world, window, i, at_horizon ? t : kFromTheStart);
+    return predictBodies(world, window, i, t);
   }
   switch (event.kind)
   {
@@ -208,7 +209,7 @@ void handle(WorldState& world, const Window& window, std::size_t i)
     case Event::Kind::HitBall:
       return hitBall(world, window, i, event.other, t);
     case Event::Kind::LeaveFace:
-    case Event::Kind::LookAgain:
+    case Event::Kind::Horizon:
     case Event::Kind::None:
       return restart(world, window, i, world.balls[i].stateAt(t), t);
   }
@@ -220,7 +221,7 @@ std::size_t earliestBall(const WorldState& world, const Window& window)
   double time = kNever;
   for (std::size_t m = 0; m < window.count; ++m)
   {
-    const double its = soonest(world.balls[window.members[m]]).time;
+    const double its = nextEvent(world.balls[window.members[m]]).time;
     if (its >= time) continue;
     time = its;
     first = window.members[m];
@@ -237,7 +238,7 @@ bool runTogether(WorldState& world, const Window& window)
   std::size_t events = 0;
   for (std::size_t i = earliestBall(world, window); i != kNone; i = earliestBall(world, window))
   {
-    if (soonest(world.balls[i]).time > window.end) return true;
+    if (nextEvent(world.balls[i]).time > window.end) return true;
     if (++events > window.most_events) return false;
     if (++status.events > last)
     {

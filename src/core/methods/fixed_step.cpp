@@ -25,11 +25,11 @@ struct Instant
 
 using Step = void (*)(Flight&, const FlightModel&, double);
 
-void turnNow(Segment& path)
+void applyPendingRotation(Segment& path)
 {
-  if (!path.further) return;
-  path.q_WB = turned(path.q_WB, path.further->turn_WB, 1.0);
-  path.further->turn_WB.setZero();
+  if (!path.higher) return;
+  path.q_WB = turned(path.q_WB, path.higher->pending_rotation, 1.0);
+  path.higher->pending_rotation.setZero();
 }
 
 BallState stateOf(const BallRecord& ball)
@@ -40,7 +40,7 @@ BallState stateOf(const BallRecord& ball)
 void store(BallRecord& ball, const BallState& state)
 {
   Segment& path = ball.path;
-  if (path.w_WB != state.w_WB) turnNow(path);  // from now on it turns about another axis
+  if (path.w_WB != state.w_WB) applyPendingRotation(path);  // from now on it turns about another axis
   path.c[0] = state.p_WB;
   path.c[1] = state.v_WB;
   path.w_WB = state.w_WB;
@@ -80,10 +80,10 @@ void fly(WorldState& world, double h)
     path.c[0] = after.p;
     path.c[1] = after.v;
     if (path.w_WB.isZero(0.0)) continue;
-    Vector3d& turn_WB = path.further.make().turn_WB;
-    turn_WB += turnIn(path.w_WB, ball.model().spinDecay(), h);
+    Vector3d& pending_rotation = path.higher.make().pending_rotation;
+    pending_rotation += turnIn(path.w_WB, ball.model().spinDecay(), h);
     path.w_WB = after.w;
-    if (turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
+    if (pending_rotation.squaredNorm() > kLongestTurn * kLongestTurn) applyPendingRotation(path);
   }
 }
 
@@ -130,7 +130,7 @@ void collideWithMoving(WorldState& world, std::size_t b, const BodyFrame& frame,
   for (BallRecord& ball : world.balls)
     for (std::size_t s = 0; s < shapes.size(); ++s)
     {
-      count(meeting(shapes[s].kind));
+      count(meetingLaw(shapes[s].kind));
       count(Law::MeetMoving);
       const Vector3d p_BQ = frame.R_WB.transpose() * (ball.path.c[0] - frame.p_WB);
       if (!clearOf(shapes[s], p_BQ, ball.params().radius)) collideWithShape(world, ball, b, s, frame, now);
@@ -144,7 +144,7 @@ void collideWithStill(WorldState& world, std::size_t b, const Instant& now)
   for (BallRecord& ball : world.balls)
     for (std::size_t s = 0; s < body.placed.size(); ++s)
     {
-      count(meeting(body.placed[s].kind));
+      count(meetingLaw(body.placed[s].kind));
       const double radius = ball.params().radius;
       if (!clearOf(body.boxes[s], ball.path.c[0], radius) && !clearOf(body.placed[s], ball.path.c[0], radius))
         collideWithShape(world, ball, b, s, kStill, now);

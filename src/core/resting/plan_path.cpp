@@ -7,7 +7,7 @@
 #include "evolve/flight.h"
 #include "evolve/integrators.h"
 #include "resting/at_once.h"
-#include "resting/held_piece.h"
+#include "resting/constrained_piece.h"
 #include "state/body_gap.h"
 #include "state/collapse_guard.h"
 
@@ -62,7 +62,7 @@ Gap gapOver(const WorldState& world, const BallRecord& ball, const Supports::Sur
 // Where surfaces throw the ball at each other without end, small impacts are taken by all that it touches.
 double keepSpeed(const BallRecord& ball)
 {
-  return ball.streak > kLongStreak ? kDeadSpeed : kKeepSpeed;
+  return ball.quick_contacts > kManyQuick ? kNoReboundSpeed : kKeepSpeed;
 }
 
 bool touches(const Gap& gap, double keep_speed)
@@ -233,47 +233,47 @@ bool straight(const Decision& decision, const BallMotion& ball)
   return true;
 }
 
-bool atRest(const HeldBall& held, const Decision& decision, const BallMotion& ball)
+bool atRest(const ConstrainedBall& constrained, const Decision& decision, const BallMotion& ball)
 {
-  for (std::size_t i = 0; i < held.count; ++i)
-    if (!held.surface[i].still) return false;
+  for (std::size_t i = 0; i < constrained.count; ++i)
+    if (!constrained.surface[i].still) return false;
   return ball.v.norm() < kStillSpeed && decision.motion.a.isZero(0.0) && decision.motion.b.isZero(0.0);
 }
 
 // Whether the acceleration stays what it is now for as long as modes and faces do.
-bool steady(const HeldBall& held, const Decision& decision, const BallMotion& ball)
+bool steady(const ConstrainedBall& constrained, const Decision& decision, const BallMotion& ball)
 {
-  if (atRest(held, decision, ball)) return true;
-  if (!held.model.constant()) return false;
-  if (held.model.spinDecay() != 0.0 && !(ball.s.isZero(0.0) && decision.motion.b.isZero(0.0))) return false;
-  for (std::size_t i = 0; i < held.count; ++i)
-    if (!held.surface[i].plane()) return false;
+  if (atRest(constrained, decision, ball)) return true;
+  if (!constrained.model.constant()) return false;
+  if (constrained.model.spinDecay() != 0.0 && !(ball.s.isZero(0.0) && decision.motion.b.isZero(0.0))) return false;
+  for (std::size_t i = 0; i < constrained.count; ++i)
+    if (!constrained.surface[i].plane()) return false;
   return straight(decision, ball);
 }
 
-void moveSteadily(const WorldState& world, BallRecord& ball, const HeldBall& held, const Decision& decision,
-                  const BallMotion& motion, double t, double window_end)
+void moveSteadily(const WorldState& world, BallRecord& ball, const ConstrainedBall& constrained,
+                  const Decision& decision, const BallMotion& motion, double t, double window_end)
 {
   Segment& path = ball.path;
-  const bool still = atRest(held, decision, motion);
+  const bool still = atRest(constrained, decision, motion);
   path.degree = still ? 0 : 2;
   path.c[1] = still ? Vector3d(Vector3d::Zero()) : motion.v;
   path.c[2] = 0.5 * decision.motion.a;
-  if (!decision.motion.b.isZero(0.0)) path.further.make().alpha_WB = decision.motion.b / held.radius;
+  if (!decision.motion.b.isZero(0.0)) path.higher.make().alpha_WB = decision.motion.b / constrained.radius;
   if (still) return;
   path.end = std::min(leavesFirstFace(world, ball.supports, path, t), t + slipsFor(decision));
   // On a moving body the caller plans anew at the next window; the path only has to reach it.
   if (onMovingBody(world, ball.supports) && path.end > window_end) path.end = kNever;
 }
 
-void moveOnPiece(const WorldState& world, BallRecord& ball, const HeldBall& held, const Decision& decision,
-                 const BallMotion& motion, double t, double window_end, double next_piece)
+void moveOnPiece(const WorldState& world, BallRecord& ball, const ConstrainedBall& constrained,
+                 const Decision& decision, const BallMotion& motion, double t, double window_end, double next_piece)
 {
   const bool moving = onMovingBody(world, ball.supports) && window_end > t;
   const double tolerance = std::max(kShareOfPieces * world.scene.tolerance, kLeastTolerance);
-  ball.path.further.make().spin.make().next_piece = next_piece;
-  layHeldPiece(held, decision, motion, t, moving ? std::max(window_end - t, kShortestMotion) : kNever, tolerance,
-               grown(kShortestPiece, ball.supports), ball.path);
+  ball.path.higher.make().spin.make().next_piece = next_piece;
+  layConstrainedPiece(constrained, decision, motion, t, moving ? std::max(window_end - t, kShortestMotion) : kNever,
+                      tolerance, grown(kShortestPiece, ball.supports), ball.path);
   if (moving && ball.path.end >= window_end - kSameTime)
     ball.path.end = window_end + kShortestMotion;  // see moveSteadily()
   ball.path.boundAcceleration();
@@ -281,34 +281,35 @@ void moveOnPiece(const WorldState& world, BallRecord& ball, const HeldBall& held
 
 // --- what carries the ball from now on ---
 
-void removeSupport(std::size_t i, BallRecord& ball, HeldBall& held, Decision& decision)
+void removeSupport(std::size_t i, BallRecord& ball, ConstrainedBall& constrained, Decision& decision)
 {
   ball.supports.remove(i);
   ContactProblem& problem = decision.problem;
-  for (std::size_t k = i; k + 1 < held.count; ++k)
+  for (std::size_t k = i; k + 1 < constrained.count; ++k)
   {
-    held.surface[k] = held.surface[k + 1];
+    constrained.surface[k] = constrained.surface[k + 1];
     problem.law[k] = problem.law[k + 1];
     problem.at[k] = problem.at[k + 1];
     problem.mode[k] = problem.mode[k + 1];
     decision.forces[k] = decision.forces[k + 1];
   }
-  --held.count;
+  --constrained.count;
   --problem.count;
 }
 
 // Supports that carry nothing and part from the ball; those that do neither are still touched. A ball that comes back to a
 // surface in the very instant in which it has left it touches it, too: friction turns at once, and what it does next counts.
-void dropUnloaded(BallRecord& ball, HeldBall& held, Decision& decision, const BallMotion& motion, double t)
+void dropUnloaded(BallRecord& ball, ConstrainedBall& constrained, Decision& decision, const BallMotion& motion,
+                  double t)
 {
   const bool again = t <= ball.path.start;
-  const double slack = (ball.streak > kLongStreak ? kMostTouched : kTouchedFraction) * scaleOf(decision.problem);
-  for (std::size_t i = held.count; i-- > 0;)
+  const double slack = (ball.quick_contacts > kManyQuick ? kMostTouched : kTouchedFraction) * scaleOf(decision.problem);
+  for (std::size_t i = constrained.count; i-- > 0;)
   {
     if (decision.problem.mode[i].loaded) continue;
     const SupportPoint& at = decision.problem.at[i];
     const bool parts = at.rate > noSpeed(motion) || (!again && at.n.dot(decision.motion.a) > at.least + slack);
-    if (parts) removeSupport(i, ball, held, decision);
+    if (parts) removeSupport(i, ball, constrained, decision);
   }
 }
 
@@ -319,24 +320,24 @@ Vector3d cleaned(const Vector3d& a, double scale)
 
 // What ends straight on planes has a closed form, else what can be stopped within the grip time is. Where Coulomb's law has no
 // answer, friction has jammed the ball: all slip ends at once.
-Decision decideOrJam(const HeldBall& held, BallMotion& motion, double t, double grip_time)
+Decision decideOrJam(const ConstrainedBall& constrained, BallMotion& motion, double t, double grip_time)
 {
-  Decision decision = decide(held, motion, t, 0.0);
+  Decision decision = decide(constrained, motion, t, 0.0);
   if (const Grips grips = allThatAlwaysGrips(decision, motion); any(grips))
   {
-    gripAtOnce(held, grips, nullptr, t, motion);
-    decision = decide(held, motion, t, 0.0);
+    gripAtOnce(constrained, grips, nullptr, t, motion);
+    decision = decide(constrained, motion, t, 0.0);
   }
-  if (decision.answered && steady(held, decision, motion)) return decision;
+  if (decision.answered && steady(constrained, decision, motion)) return decision;
   if (movesSlowly(decision.problem, motion, grip_time))
   {
-    const Decision stopping = decide(held, motion, t, grip_time);
-    gripAtOnce(held, stopping.stops, &stopping.problem, t, motion);
-    if (any(stopping.stops)) decision = decide(held, motion, t, 0.0);
+    const Decision stopping = decide(constrained, motion, t, grip_time);
+    gripAtOnce(constrained, stopping.stops, &stopping.problem, t, motion);
+    if (any(stopping.stops)) decision = decide(constrained, motion, t, 0.0);
   }
   if (decision.answered) return decision;
-  gripAtOnce(held, allThatIsRough(held), nullptr, t, motion);
-  decision = decide(held, motion, t, 0.0);
+  gripAtOnce(constrained, allThatIsRough(constrained), nullptr, t, motion);
+  decision = decide(constrained, motion, t, 0.0);
   if (!decision.answered) decision.motion = BallAcceleration();
   return decision;
 }
@@ -358,37 +359,37 @@ void planFlight(const WorldState& world, BallRecord& ball, const BallState& stat
   // A piece that a contact has cut was long enough: a longer one might have to be tried twice.
   Segment& path = ball.path;
   if (path.degree > 2 && t < path.end)
-    path.further->next_piece = std::min(path.further->next_piece, path.end - path.start);
+    path.higher->next_piece = std::min(path.higher->next_piece, path.end - path.start);
   fly(state, t, ball.model(), world.scene.tolerance, path);
 }
 
 // The path of a ball that lay on surfaces; it may leave some of them now, or all.
-void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
+void planConstrainedPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
 {
   const bool ended_soon = t >= ball.path.end && t - ball.path.start < kShortPath;
-  const double next_piece = ball.path.further && ball.path.further->spin ? ball.path.further->spin->next_piece : 0.0;
+  const double next_piece = ball.path.higher && ball.path.higher->spin ? ball.path.higher->spin->next_piece : 0.0;
   passToFlushFaces(world, ball, state, t);
   dropSurfacesLeft(world, ball, state, t);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   ball.supports.countShort(ended_soon);
   const double grip_time = gripTime(world, ball.supports);
-  HeldBall held = heldBall(world, ball, state.p_WB, t);
-  BallMotion motion = motionOf(state, held.radius);
+  ConstrainedBall constrained = constrainedBall(world, ball, state.p_WB, t);
+  BallMotion motion = motionOf(state, constrained.radius);
   const Vector3d spin_before = motion.s;
-  Decision decision = decideOrJam(held, motion, t, grip_time);
+  Decision decision = decideOrJam(constrained, motion, t, grip_time);
   state.v_WB = motion.v;
-  if (motion.s != spin_before) state.w_WB = motion.s / held.radius;
-  dropUnloaded(ball, held, decision, motion, t);
+  if (motion.s != spin_before) state.w_WB = motion.s / constrained.radius;
+  dropUnloaded(ball, constrained, decision, motion, t);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   if (motion.s.norm() < kStillSpeed && motion.v.norm() < kStillSpeed) state.w_WB.setZero();
   const double scale = scaleOf(decision.problem);
   decision.motion.a = cleaned(decision.motion.a, scale);
   decision.motion.b = cleaned(decision.motion.b, scale);
   ball.path = flyParabola(state, t, Vector3d::Zero());
-  if (steady(held, decision, motion))
-    moveSteadily(world, ball, held, decision, motion, t, window_end);
+  if (steady(constrained, decision, motion))
+    moveSteadily(world, ball, constrained, decision, motion, t, window_end);
   else
-    moveOnPiece(world, ball, held, decision, motion, t, window_end, next_piece);
+    moveOnPiece(world, ball, constrained, decision, motion, t, window_end, next_piece);
 }
 }  // namespace
 
@@ -400,13 +401,13 @@ double timeOfRemainingBounces(double rate, double press, double restitution)
 Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball, const BallState& state, double t)
 {
   if (ball.supports.none()) return ball.model().acceleration(state.v_WB, state.w_WB);
-  HeldBall held = heldBall(world, ball, state.p_WB, t);
+  ConstrainedBall constrained = constrainedBall(world, ball, state.p_WB, t);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < held.count; ++i)
+  for (std::size_t i = 0; i < constrained.count; ++i)
     if (touches(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball)))
-      held.surface[kept++] = held.surface[i];
-  held.count = kept;
-  return decide(held, motionOf(state, held.radius), t, 0.0).motion.a;
+      constrained.surface[kept++] = constrained.surface[i];
+  constrained.count = kept;
+  return decide(constrained, motionOf(state, constrained.radius), t, 0.0).motion.a;
 }
 
 void addTouched(const WorldState& world, BallRecord& ball, const BallState& state, double t)
@@ -418,7 +419,7 @@ void addTouched(const WorldState& world, BallRecord& ball, const BallState& stat
     for (std::size_t s = 0; s < body.shapes().size(); ++s)
     {
       const Gap gap = gapOver(body, body.shapes()[s], state, ball.params().radius, t);
-      if (std::abs(gap.gap) > kTouchedGap || std::abs(gap.rate) > kNoHopSpeed) continue;
+      if (std::abs(gap.gap) > kTouchedGap || std::abs(gap.rate) > kNoSeparationSpeed) continue;
       if (supportedAlong(world, ball, state, gap.n_W, t)) continue;
       if (!a) a = accelerationOnSupports(world, ball, state, t);
       if (gapAcceleration(body.shapes()[s], body.at(t), state.p_WB, state.v_WB, *a) < 0.0) ball.supports.add(b, s);
@@ -432,6 +433,6 @@ void planPath(const WorldState& world, BallRecord& ball, const BallState& state,
   if (ball.supports.none())
     planFlight(world, ball, state, t);
   else
-    planHeldPath(world, ball, state, t, window_end);
+    planConstrainedPath(world, ball, state, t, window_end);
 }
 }  // namespace ping_pong

@@ -19,7 +19,7 @@ inline bool bouncingEnds(double rate, double press, double touch_tolerance)
 {
   if (press <= 0.0) return false;
   const double lift = std::max(kLift, kLiftInTolerances * touch_tolerance);
-  return rate <= kNoHopSpeed || rate * rate < 2.0 * press * lift;
+  return rate <= kNoSeparationSpeed || rate * rate < 2.0 * press * lift;
 }
 
 /// Time of all bounces to come: flights 2 v/a with v falling by e each time, 2 v / (a (1 - e)) [s]; 0 for e = 1, where

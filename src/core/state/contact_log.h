@@ -34,7 +34,7 @@ struct Impact
 [[gnu::always_inline]] inline void recordContact(Records& records, const BallRecord& ball, std::size_t i,
                                                  const HitObject& other, const Impact& impact)
 {
-  records.origins.push_back({static_cast<std::uint32_t>(i), records.run});
+  records.provenances.push_back({static_cast<std::uint32_t>(i), records.run});
   ++records.status.contacts;
   if (!records.keep_contacts) return;
   Contact& contact = records.contacts.emplace_back();

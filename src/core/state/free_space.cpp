@@ -8,7 +8,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kPressed = 1e-4;  // overlap that a pile may leave [m]
+constexpr double kPressed = 1e-4;  // overlap that the contact solver may leave [m]
 constexpr int kMaxPushes = 50;
 
 // What is nearest to a sphere.
@@ -80,7 +80,7 @@ void pushOutOfStill(const WorldState& world, Vector3d& p_WB, double radius)
   }
 }
 
-bool hasRoomInPile(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
+bool hasRoomInSolver(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
 {
   return nearestTo(world, p_WB, radius, except).gap >= -kPressed;
 }

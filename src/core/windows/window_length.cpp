@@ -10,7 +10,7 @@ namespace ping_pong
 {
 namespace
 {
-// Work, in shares of what sorting a ball into the grid and looking into cells costs:
+// Work, in parts of what sorting a ball into the grid and looking into cells costs:
 constexpr double kNearWork = 0.4;  // two balls whose boxes overlap
 constexpr double kSearchWork = 1.0;
 constexpr double kEventWork = 7.0;

@@ -22,13 +22,14 @@ namespace
 // Paddles that move are given a new motion at least so often, however long the tick.
 constexpr double kLongestMotion = 5e-3;  // [s]
 
-// Room for so many records from the start, more than a crush between paddle and table makes. Whoever lets more happen in
+// Room for so many records from the start, more than a ball caught between paddle and table makes. If more happens in
 // one tick makes the records grow, once: they keep what they have.
 constexpr std::size_t kContactsInATick = 256;
 constexpr std::size_t kContactsOfABall = 8;
 constexpr std::size_t kBallsWithContacts = 1000;  // of more balls only so many have a record of their own kept free
-constexpr std::size_t kBallsHeld = 1000;  // of more balls fewer roll over edges and round or turning surfaces at once
-constexpr std::size_t kManyBalls = 32;    // from here on a grid tells which balls may overlap
+constexpr std::size_t kBallsConstrained =
+    1000;                               // of more balls fewer roll over edges and round or turning surfaces at once
+constexpr std::size_t kManyBalls = 32;  // from here on a grid tells which balls may overlap
 
 std::string refuseState(const BallState& state)
 {
@@ -117,9 +118,9 @@ struct World::Impl : WorldWithWindows
   void makeSpace();
   void takeSpace();
   void ballChanged(std::size_t index);
-  void letGo(std::size_t body);
-  void countTroubles();
-  void makeRoom();
+  void detachFrom(std::size_t body);
+  void collectStatus();
+  void resolveOverlaps();
   std::vector<char> ballsThatOverlap();
 };
 
@@ -136,12 +137,12 @@ void World::Impl::start()
   time = time_rest = 0.0;
   next_id = 0;
   contacts.clear();
-  origins.clear();
+  provenances.clear();
   status = StepStatus();
   balls.clear();
   types.clear();
   balls.reserve(scene.balls.size());
-  clearPile(pile);
+  clearSolver(solver);
   bodies.clear();
   for (const Body& body : scene.bodies)
   {
@@ -153,7 +154,7 @@ void World::Impl::start()
   }
   for (const SceneBall& ball : scene.balls) add(ball.params, normalized(ball.state));
   makeSpace();
-  if (functions->needs_room) makeRoom();  // the loader refuses overlaps; scenes built in code may have them
+  if (functions->needs_room) resolveOverlaps();  // the loader refuses overlaps; scenes built in code may have them
   functions->start(*this);
   islands.length.estimate(*this);
 }
@@ -179,7 +180,7 @@ void World::Impl::become(const Impl& model)
 void World::Impl::beginTick()
 {
   contacts.clear();
-  origins.clear();
+  provenances.clear();
   status = StepStatus();
   for (BodyRecord& body : bodies) body.blocked = false;
 }
@@ -206,10 +207,11 @@ void World::Impl::makeSpace()
 void World::Impl::takeSpace()
 {
   takeMemory(contacts, kContactsInATick + kContactsOfABall * std::min(space_for, kBallsWithContacts));
-  takeMemory(origins, contacts.capacity());
-  Pooled<FurtherTerms>::reserve(2 * space_for, workers.count());  // of balls, and of balls at the start of a window
-  Pooled<SpinTerms>::reserve(2 * std::min(space_for, kBallsHeld), workers.count());
-  Pooled<Passing>::reserve(2 * space_for, workers.count());
+  takeMemory(provenances, contacts.capacity());
+  Pooled<HigherCoefficients>::reserve(2 * space_for,
+                                      workers.count());  // of balls, and of balls at the start of a window
+  Pooled<SpinCoefficients>::reserve(2 * std::min(space_for, kBallsConstrained), workers.count());
+  Pooled<TransientPredictions>::reserve(2 * space_for, workers.count());
   Supports::reserve(2 * space_for, workers.count());
   functions->reserve(*this, space_for);
 }
@@ -284,17 +286,17 @@ double World::Impl::movePaddles(double end)
   return h < end - time ? time + h : end;
 }
 
-// After a body has jumped: balls that it covers are put on its surface, and push on others in turn. Whoever finds no room
-// is squeezed, where it is. (In a pile balls may overlap a little, and push each other out.)
-void World::Impl::makeRoom()
+// After a body has jumped: balls that it covers are put on its surface, and push on others in turn. A ball that finds no room
+// is squeezed, where it is. (In the contact solver balls may overlap a little, and push each other out.)
+void World::Impl::resolveOverlaps()
 {
   const std::vector<char> overlapping = ballsThatOverlap();
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
-    const bool piled = balls[i].ofSolver();
+    const bool in_solver = balls[i].ofSolver();
     BallState state = balls[i].stateAt(time);
     const double radius = balls[i].params().radius;
-    const bool free = piled            ? !overlapsABody(*this, state.p_WB, radius)
+    const bool free = in_solver        ? !overlapsABody(*this, state.p_WB, radius)
                       : overlapping[i] ? hasRoom(*this, state.p_WB, radius, i)
                                        : hasRoomAmongBodies(*this, state.p_WB, radius);
     if (free) continue;
@@ -302,7 +304,7 @@ void World::Impl::makeRoom()
     const bool room = pushOut(*this, state.p_WB, radius, i);  // clear of all others: none is covered that was not
     if (room)
       balls[i].path = flyParabola(state, time, Vector3d::Zero());
-    else if (!piled)
+    else if (!in_solver)
       squeeze(*this, balls[i], covered, time);
   }
 }
@@ -323,8 +325,8 @@ std::vector<char> World::Impl::ballsThatOverlap()
   return overlapping;
 }
 
-// Balls on this body look anew for what carries them.
-void World::Impl::letGo(std::size_t body)
+// Balls on this body search anew for what carries them.
+void World::Impl::detachFrom(std::size_t body)
 {
   for (BallRecord& ball : balls)
   {
@@ -335,7 +337,7 @@ void World::Impl::letGo(std::size_t body)
 }
 
 // Of those that cannot have any nobody is asked: thousands of records are a long way through memory.
-void World::Impl::countTroubles()
+void World::Impl::collectStatus()
 {
   if (!any_squeezed && !flies_in_steps) return;
   for (const BallRecord& ball : balls)
@@ -381,8 +383,8 @@ StepStatus World::advance(double duration)
     world.time = next;
     releaseSqueezed(world);
   }
-  world.status.piled = world.pile.ball.size();
-  world.countTroubles();
+  world.status.piled = world.solver.ball.size();
+  world.collectStatus();
   return world.status;
 }
 
@@ -531,7 +533,7 @@ Refusal World::deleteBall(BallId id)
 {
   const std::size_t index = findBall(id);
   if (index == kNone) return {"ball: no ball_" + std::to_string(id)};
-  if (!impl_->pile.ball.empty()) removeFromPile(impl_->pile, static_cast<std::uint32_t>(index));
+  if (!impl_->solver.ball.empty()) removeFromSolver(impl_->solver, static_cast<std::uint32_t>(index));
   ++impl_->edits;
   impl_->remove(index);
   return {};
@@ -560,8 +562,8 @@ Refusal World::setBodyPose(std::size_t body, const Pose& pose)
   BodyRecord& record = impl_->bodies[body];
   record.command = PaddleCommand();
   placeBody(record, {pose.p, pose.q.normalized()});
-  impl_->letGo(body);
-  impl_->makeRoom();
+  impl_->detachFrom(body);
+  impl_->resolveOverlaps();
   impl_->functions->start(*impl_);
   return {};
 }

@@ -1,11 +1,11 @@
-#include "resting/held_ball.h"
+#include "resting/constrained_ball.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/law_counter.h"
-#include "resting/held_forces.h"
+#include "resting/constrained_forces.h"
 
 namespace ping_pong
 {
@@ -73,7 +73,7 @@ struct Channel
     if (stops) bias += value / grip_time;
   }
   // It moves on: it cannot be stopped.
-  bool letGo(Resistance found, double grip_time)
+  bool detachFrom(Resistance found, double grip_time)
   {
     if (!stops || found != Resistance::Slips) return false;
     kind = Resistance::Slips;
@@ -112,17 +112,18 @@ Grips beginModes(ContactProblem& problem, double none, double grip_time)
 }
 
 // Lets go of what could not be stopped; true if there was any.
-bool letGo(ContactProblem& problem, const std::array<SupportMode, kMaxSupports>& found, Grips& stops, double grip_time)
+bool detachFrom(ContactProblem& problem, const std::array<SupportMode, kMaxSupports>& found, Grips& stops,
+                double grip_time)
 {
   bool any = false;
   for (std::size_t i = 0; i < problem.count; ++i)
   {
     auto slip = slipOf(problem, i, stops[i].slip);
-    any |= slip.letGo(found[i].slip, grip_time);
+    any |= slip.detachFrom(found[i].slip, grip_time);
     auto roll = rollOf(problem, i, stops[i].roll);
-    any |= roll.letGo(found[i].roll, grip_time);
+    any |= roll.detachFrom(found[i].roll, grip_time);
     auto spin = spinOf(problem, i, stops[i].spin);
-    any |= spin.letGo(found[i].spin, grip_time);
+    any |= spin.detachFrom(found[i].spin, grip_time);
     stops[i] = {slip.stops, roll.stops, spin.stops, false};
   }
   return any;
@@ -131,16 +132,17 @@ bool letGo(ContactProblem& problem, const std::array<SupportMode, kMaxSupports>&
 // What holds, if any of it has to be stopped first: the rest must go on to hold while that is done.
 Grips heldIfAnyStops(const ContactProblem& problem, const Grips& stops)
 {
-  Grips held;
+  Grips constrained;
   bool any = false;
   for (std::size_t i = 0; i < problem.count; ++i)
   {
     const SupportMode& mode = problem.mode[i];
     if (!mode.loaded) continue;
-    held[i] = {mode.slip == Resistance::Holds, mode.roll == Resistance::Holds, mode.spin == Resistance::Holds, true};
+    constrained[i] = {mode.slip == Resistance::Holds, mode.roll == Resistance::Holds, mode.spin == Resistance::Holds,
+                      true};
     any |= stops[i].slip || stops[i].roll || stops[i].spin;
   }
-  return any ? held : Grips();
+  return any ? constrained : Grips();
 }
 
 void countResistances(const ContactProblem& problem)
@@ -159,14 +161,14 @@ double usedUpAfter(double speed, double rate)
 }
 }  // namespace
 
-HeldBall heldBall(const WorldState& world, const BallRecord& ball, const Vector3d& p_WB, double t)
+ConstrainedBall constrainedBall(const WorldState& world, const BallRecord& ball, const Vector3d& p_WB, double t)
 {
-  HeldBall held{ball.model(), ball.params().radius, ball.params().inertia, ball.supports.count(), {}};
-  for (std::size_t i = 0; i < held.count; ++i)
+  ConstrainedBall constrained{ball.model(), ball.params().radius, ball.params().inertia, ball.supports.count(), {}};
+  for (std::size_t i = 0; i < constrained.count; ++i)
   {
     const Supports::Surface& support = ball.supports[i];
     const BodyRecord& body = world.bodies[support.body];
-    SupportSurface& surface = held.surface[i];
+    SupportSurface& surface = constrained.surface[i];
     surface.shape = &body.shapes()[support.shape];
     surface.law = &world.surface(ball, *surface.shape);
     surface.motion = &body.frame();
@@ -175,7 +177,7 @@ HeldBall heldBall(const WorldState& world, const BallRecord& ball, const Vector3
     surface.feature = featureAt(*surface.shape, body.seenFrom(p_WB, t));
     surface.flat = flat(*surface.shape, surface.feature);
   }
-  return held;
+  return constrained;
 }
 
 BallMotion motionOf(const BallState& state, double radius)
@@ -183,17 +185,17 @@ BallMotion motionOf(const BallState& state, double radius)
   return {state.p_WB, state.v_WB, radius * state.w_WB};
 }
 
-ContactProblem problemAt(const HeldBall& held, const BallMotion& ball, double t)
+ContactProblem problemAt(const ConstrainedBall& constrained, const BallMotion& ball, double t)
 {
   ContactProblem problem;
-  problem.count = held.count;
-  problem.k = held.k;
-  problem.free.a = held.model.acceleration(ball.v, ball.s / held.radius);
-  problem.free.b = -held.model.spinDecay() * ball.s;
-  for (std::size_t i = 0; i < held.count; ++i)
+  problem.count = constrained.count;
+  problem.k = constrained.k;
+  problem.free.a = constrained.model.acceleration(ball.v, ball.s / constrained.radius);
+  problem.free.b = -constrained.model.spinDecay() * ball.s;
+  for (std::size_t i = 0; i < constrained.count; ++i)
   {
-    problem.law[i] = held.surface[i].law;
-    problem.at[i] = supportPoint(held.surface[i], ball, held.radius, t);
+    problem.law[i] = constrained.surface[i].law;
+    problem.at[i] = supportPoint(constrained.surface[i], ball, constrained.radius, t);
   }
   return problem;
 }
@@ -208,9 +210,9 @@ bool movesSlowly(const ContactProblem& problem, const BallMotion& ball, double g
   return false;
 }
 
-Decision decide(const HeldBall& held, const BallMotion& ball, double t, double grip_time)
+Decision decide(const ConstrainedBall& constrained, const BallMotion& ball, double t, double grip_time)
 {
-  Decision decision{problemAt(held, ball, t), {}, {}, {}};
+  Decision decision{problemAt(constrained, ball, t), {}, {}, {}};
   ContactProblem& problem = decision.problem;
   Grips stops = beginModes(problem, noSpeed(ball), grip_time);
   countResistances(problem);
@@ -218,7 +220,7 @@ Decision decide(const HeldBall& held, const BallMotion& ball, double t, double g
   {
     decision.answered = findForces(problem, decision.motion, decision.forces);
     const std::array<SupportMode, kMaxSupports> found = modesOf(problem, decision.motion, decision.forces);
-    if (letGo(problem, found, stops, grip_time)) continue;
+    if (detachFrom(problem, found, stops, grip_time)) continue;
     problem.mode = found;
     break;
   }
@@ -226,15 +228,15 @@ Decision decide(const HeldBall& held, const BallMotion& ball, double t, double g
   return decision;
 }
 
-bool modesHold(const HeldBall& held, const Decision& decided, const BallMotion& ball, double t)
+bool modesHold(const ConstrainedBall& constrained, const Decision& decided, const BallMotion& ball, double t)
 {
-  ContactProblem problem = problemAt(held, ball, t);
-  for (std::size_t i = 0; i < held.count; ++i)
+  ContactProblem problem = problemAt(constrained, ball, t);
+  for (std::size_t i = 0; i < constrained.count; ++i)
   {
     // What carries no load may carry one now.
     SupportMode& mode = problem.mode[i];
     mode = decided.problem.mode[i];
-    if (!mode.loaded && held.surface[i].law->friction > 0.0) mode.slip = Resistance::Holds;
+    if (!mode.loaded && constrained.surface[i].law->friction > 0.0) mode.slip = Resistance::Holds;
     const SupportPoint& at = problem.at[i];
     if (!mode.loaded && at.rate > kParts) return false;
     if (mode.slip == Resistance::Slips && at.slip.norm() > noSpeed(ball)) mode.slip_direction = at.slip.normalized();
@@ -247,7 +249,7 @@ bool modesHold(const HeldBall& held, const Decision& decided, const BallMotion& 
   if (allHold(problem, decided.forces, true, motion, forces)) return true;
   if (!findForces(problem, motion, forces)) return false;
   const std::array<SupportMode, kMaxSupports> found = modesOf(problem, motion, forces);
-  for (std::size_t i = 0; i < held.count; ++i)
+  for (std::size_t i = 0; i < constrained.count; ++i)
     if (!found[i].sameAs(decided.problem.mode[i])) return false;
   return true;
 }

@@ -1,4 +1,4 @@
-#include "resting/held_piece.h"
+#include "resting/constrained_piece.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMaxSweeps = 40;
+constexpr int kMaxIterations = 40;
 constexpr double kFirstTry = 5e-3;          // [s]
 constexpr double kLongestPiece = 0.1;       // [s]
 constexpr double kBeforeRest = 0.9;         // of the time until a slip ends: its direction may change fast at the end
@@ -24,15 +24,15 @@ void layThrough(const Rates& rates, double h, double radius, Segment& path)
 {
   const Rates b = gaussPoints().to_powers * rates;
   path.degree = kNodes + 1;
-  FurtherTerms& further = path.further.make();
-  SpinTerms& spin = further.spin.make();
+  HigherCoefficients& higher = path.higher.make();
+  SpinCoefficients& spin = higher.spin.make();
   double power = 1.0;  // h^k, as the coefficients are of tau = s / h
   for (int k = 0; k < kNodes; ++k, power *= h)
   {
     path.coefficient(k + 2) = b.row(k).head<3>().transpose() / (power * (k + 1) * (k + 2));
     const Vector3d w = b.row(k).tail<3>().transpose() / (power * (k + 1) * radius);
     if (k == 0)
-      further.alpha_WB = w;
+      higher.alpha_WB = w;
     else
       spin.c[k - 1] = w;
   }
@@ -54,8 +54,8 @@ double excessOf(const Rates& rates, double h, double tolerance)
   return std::max(inside / std::min(tolerance, kInsideTolerance), lasting / tolerance);
 }
 
-// One piece of length h; false if its error is above the tolerance, or the sweeps do not end. `excess` is error / tolerance.
-bool collocate(const HeldBall& held, const Decision& decision, const BallMotion& ball, double t, double h,
+// One piece of length h; false if its error is above the tolerance, or the iteration does not end. `excess` is error / tolerance.
+bool collocate(const ConstrainedBall& constrained, const Decision& decision, const BallMotion& ball, double t, double h,
                double tolerance, Segment& path, double& excess)
 {
   const GaussPoints<kNodes>& points = gaussPoints();
@@ -66,8 +66,8 @@ bool collocate(const HeldBall& held, const Decision& decision, const BallMotion&
   Speeds speeds = (h * (points.integral * rates)).rowwise() + start;
   const double rounding = 1e-15 * (start.norm() + h * first.norm());
   double before = 0.0;
-  SlipTurning turning{held, decision, t, h};
-  for (int sweep = 0;; ++sweep)
+  SlipTurning turning{constrained, decision, t, h};
+  for (int iteration = 0;; ++iteration)
   {
     const Places places =
         (h * points.nodes * ball.v.transpose() + (h * h) * (points.double_integral * rates.leftCols<3>())).rowwise() +
@@ -84,7 +84,7 @@ bool collocate(const HeldBall& held, const Decision& decision, const BallMotion&
     const double change = (next - speeds).cwiseAbs().maxCoeff();
     speeds = next;
     if (change * std::min(1.0, change / before) <= 0.01 * tolerance || change <= rounding) break;
-    if (sweep == kMaxSweeps || !(change < 1e6) || (sweep > 6 && change > before))
+    if (iteration == kMaxIterations || !(change < 1e6) || (iteration > 6 && change > before))
     {
       excess = 1e6;
       return false;
@@ -93,7 +93,7 @@ bool collocate(const HeldBall& held, const Decision& decision, const BallMotion&
   }
   excess = excessOf(rates, h, tolerance);
   if (!(excess <= 1.0)) return false;
-  layThrough(rates, h, held.radius, path);
+  layThrough(rates, h, constrained.radius, path);
   return true;
 }
 
@@ -102,11 +102,11 @@ BallMotion motionOn(const Segment& path, double s, double radius)
   return {path.position(s), path.velocity(s), radius * path.spin(s)};
 }
 
-bool onAllFeatures(const HeldBall& held, const Vector3d& p_WB, double t)
+bool onAllFeatures(const ConstrainedBall& constrained, const Vector3d& p_WB, double t)
 {
-  for (std::size_t i = 0; i < held.count; ++i)
+  for (std::size_t i = 0; i < constrained.count; ++i)
   {
-    const SupportSurface& surface = held.surface[i];
+    const SupportSurface& surface = constrained.surface[i];
     const Vector3d p_BQ = surface.still ? p_WB : surface.motion->poseAt(t - surface.motion->start).toB(p_WB);
     if (!onFeature(*surface.shape, surface.feature, p_BQ)) return false;
   }
@@ -114,12 +114,12 @@ bool onAllFeatures(const HeldBall& held, const Vector3d& p_WB, double t)
 }
 
 // First time on the piece, from its start, at which it no longer holds; h if it does to its end.
-double holdsFor(const HeldBall& held, const Decision& decided, const Segment& path, double h)
+double holdsFor(const ConstrainedBall& constrained, const Decision& decided, const Segment& path, double h)
 {
   const auto holds = [&](double s)
   {
-    const BallMotion ball = motionOn(path, s, held.radius);
-    return onAllFeatures(held, ball.p, path.start + s) && modesHold(held, decided, ball, path.start + s);
+    const BallMotion ball = motionOn(path, s, constrained.radius);
+    return onAllFeatures(constrained, ball.p, path.start + s) && modesHold(constrained, decided, ball, path.start + s);
   };
   for (int look = 1; look <= kLooks; ++look)
   {
@@ -137,30 +137,30 @@ double holdsFor(const HeldBall& held, const Decision& decided, const Segment& pa
 }
 }  // namespace
 
-void layHeldPiece(const HeldBall& held, const Decision& decision, const BallMotion& ball, double t, double longest,
-                  double tolerance, double shortest, Segment& path)
+void layConstrainedPiece(const ConstrainedBall& constrained, const Decision& decision, const BallMotion& ball, double t,
+                         double longest, double tolerance, double shortest, Segment& path)
 {
-  FurtherTerms& further = path.further.make();
-  SpinTerms& spin = further.spin.make();
+  HigherCoefficients& higher = path.higher.make();
+  SpinCoefficients& spin = higher.spin.make();
   double h = std::min(spin.next_piece > 0.0 ? spin.next_piece : kFirstTry, kLongestPiece);
   double wanted = h;  // if nothing else ends it
   h = std::max(std::min({h, longest, kBeforeRest * slipsFor(decision)}), std::min(shortest, longest));
   double excess = 1.0;
-  while (!collocate(held, decision, ball, t, h, tolerance, path, excess))
+  while (!collocate(constrained, decision, ball, t, h, tolerance, path, excess))
   {
     if (h <= shortest)  // nothing smooth is left to follow: the motion of this instant, for a moment
     {
       layThrough((Eigen::Matrix<double, 1, 6>() << decision.motion.a.transpose(), decision.motion.b.transpose())
                      .finished()
                      .replicate<kNodes, 1>(),
-                 h, held.radius, path);
+                 h, constrained.radius, path);
       break;
     }
     h = std::max(shortest, h * std::max(0.1, 0.8 * std::pow(excess, -1.0 / (kNodes + 2))));
     wanted = 0.0;
   }
   const double grown = h * std::min(3.0, 0.8 * std::pow(std::max(excess, 1e-8), -1.0 / (kNodes + 3)));
-  const double held_for = h <= shortest ? h : std::max(holdsFor(held, decision, path, h), shortest);
+  const double held_for = h <= shortest ? h : std::max(holdsFor(constrained, decision, path, h), shortest);
   // After the last look, what ended it tells little of the next piece.
   spin.next_piece = held_for < h ? kFirstTry : std::max(grown, wanted);
   path.end = t + held_for;

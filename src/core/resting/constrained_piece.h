@@ -1,7 +1,7 @@
 // One polynomial piece of the path of a ball on surfaces that bend, turn, or whose friction changes its direction.
 #pragma once
 
-#include "resting/held_ball.h"
+#include "resting/constrained_ball.h"
 
 namespace ping_pong
 {
@@ -10,6 +10,6 @@ namespace ping_pong
 /// @param longest    [s]
 /// @param tolerance  error of the position that the piece may leave after a second [m]
 /// @param shortest   the piece is no shorter, whatever ends [s]
-void layHeldPiece(const HeldBall& held, const Decision& decision, const BallMotion& ball, double t, double longest,
-                  double tolerance, double shortest, Segment& path);
+void layConstrainedPiece(const ConstrainedBall& constrained, const Decision& decision, const BallMotion& ball, double t,
+                         double longest, double tolerance, double shortest, Segment& path);
 }  // namespace ping_pong

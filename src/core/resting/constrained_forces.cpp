@@ -1,4 +1,4 @@
-#include "resting/held_forces.h"
+#include "resting/constrained_forces.h"
 
 #include <Eigen/QR>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "detect/descent.h"
+#include "detect/plane_crossing.h"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ constexpr int kMaxSteps = 8;
 
 // The height bends downwards, and at `from` the ball is above or rises: there is one contact at most. Steps to the zero of the
 // parabola that fits the height here (Halley's irrational method). Undecided: they do not lead there.
-Detection comesDownOnce(const Height& height, Height::Values now, double start, double from, double until)
+Detection crossesPlaneOnce(const Height& height, Height::Values now, double start, double from, double until)
 {
   const Detection undecided{from, true};
   double t = from + safeStep(std::max(now.f, 0.0), now.rate, now.bend);
@@ -35,20 +35,20 @@ Detection comesDownOnce(const Height& height, Height::Values now, double start, 
 }
 }  // namespace
 
-Detection comesDown(const Height& height, double start, double from, double until, double tolerance)
+Detection crossesPlane(const Height& height, double start, double from, double until, double tolerance)
 {
   const Height::Values now = height.at(from - start);
-  if (height.most_bend < 0.0 && (now.f > tolerance || now.rate > kNoHopSpeed))
+  if (height.most_bend < 0.0 && (now.f > tolerance || now.rate > kNoSeparationSpeed))
   {
-    const Detection found = comesDownOnce(height, now, start, from, until);
+    const Detection found = crossesPlaneOnce(height, now, start, from, until);
     if (!found.undecided) return found;
   }
   const auto at = [&](double t)
   {
     const Height::Values here = height.at(t - start);
-    return Look{here.f, here.rate, height.least_bend};
+    return GapSample{here.f, here.rate, height.least_bend};
   };
   const auto presses = [&](double t) { return height.at(t - start).bend < 0.0; };
-  return march(at, presses, from, until, tolerance);
+  return advanceConservatively(at, presses, from, until, tolerance);
 }
 }  // namespace ping_pong

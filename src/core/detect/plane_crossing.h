@@ -1,5 +1,5 @@
-// When a height that is a polynomial of time comes down to zero. Where it surely bends downwards it does so once, and Newton's
-// method needs no care; else march() finds it.
+// When a height that is a polynomial of time crosses zero downwards. Where it surely bends downwards it does so once, and Newton's
+// method needs no care; else advanceConservatively() finds it.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ struct Height
 };
 
 /// First contact of a ball with the plane above which it has this height, times counted from `start`; what counts as one is
-/// the same as in march().
+/// the same as in advanceConservatively().
 /// @param tolerance  height of touching
-Detection comesDown(const Height& height, double start, double from, double until, double tolerance);
+Detection crossesPlane(const Height& height, double start, double from, double until, double tolerance);
 }  // namespace ping_pong

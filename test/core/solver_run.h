@@ -12,11 +12,11 @@ namespace ping_pong
 inline constexpr double kStep = 1e-3;  // [s]
 
 // Balls that are all in a pile, step by step.
-struct PileRun
+struct SolverRun
 {
   WorldWithSolver world;
 
-  PileRun(const Scene& scene, std::size_t threads) : world(std::make_shared<const Scene>(scene))
+  SolverRun(const Scene& scene, std::size_t threads) : world(std::make_shared<const Scene>(scene))
   {
     world.workers.start(threads);
     world.contacts.reserve(2 * scene.balls.size());
@@ -33,25 +33,25 @@ struct PileRun
     const auto index = static_cast<std::uint32_t>(world.balls.size());
     world.balls.emplace_back(index, world.types.of(ball.params, world.scene.forces)).path =
         flyParabola(ball.state, world.time, Vector3d::Zero());
-    addToPile(world, index, world.time);
+    addToSolver(world, index, world.time);
   }
   void remove(std::uint32_t index)
   {
-    removeFromPile(world.pile, index);
+    removeFromSolver(world.solver, index);
     world.balls.erase(world.balls.begin() + index);
   }
   // As an observer sees it who is faster by -v: who meets whom, and when, stays as it is.
   void speedUp(const Vector3d& v)
   {
     for (BallRecord& ball : world.balls) ball.path.c[1] += v;
-    disturbPile(world);
+    disturbSolver(world);
   }
   void step()
   {
-    runPile(world, world.time, world.time + kStep, kStep);
+    stepSolver(world, world.time, world.time + kStep, kStep);
     world.time += kStep;
   }
   BallState state(std::size_t index) const { return world.balls[index].stateAt(world.time); }
-  std::size_t slabs() const { return world.pile.slabs; }
+  std::size_t slabs() const { return world.solver.slab_count; }
 };
 }  // namespace ping_pong

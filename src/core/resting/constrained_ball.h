@@ -1,4 +1,4 @@
-// A ball held by its supports: the contact problem at an instant, and the modes that hold from then on.
+// A ball constrained by its supports: the contact problem at an instant, and the modes that hold from then on.
 #pragma once
 
 #include "resting/contact_problem.h"
@@ -7,7 +7,7 @@
 namespace ping_pong
 {
 /// What stays the same while a path is laid.
-struct HeldBall
+struct ConstrainedBall
 {
   const FlightModel& model;
   double radius;  ///< [m]
@@ -17,12 +17,12 @@ struct HeldBall
 };
 
 /// The supports of a ball at world time t, each with the feature that the ball is on.
-HeldBall heldBall(const WorldState& world, const BallRecord& ball, const Vector3d& p_WB, double t);
+ConstrainedBall constrainedBall(const WorldState& world, const BallRecord& ball, const Vector3d& p_WB, double t);
 
 BallMotion motionOf(const BallState& state, double radius);
 
 /// The contact problem without modes.
-ContactProblem problemAt(const HeldBall& held, const BallMotion& ball, double t);
+ContactProblem problemAt(const ConstrainedBall& constrained, const BallMotion& ball, double t);
 
 /// Motions of a support that are brought to rest.
 struct Grip
@@ -46,10 +46,10 @@ struct Decision
 bool movesSlowly(const ContactProblem& problem, const BallMotion& ball, double grip_time);
 
 /// @param grip_time  what can be brought to rest within this time counts as held, and is listed in `stops`; 0: nothing [s]
-Decision decide(const HeldBall& held, const BallMotion& ball, double t, double grip_time);
+Decision decide(const ConstrainedBall& constrained, const BallMotion& ball, double t, double grip_time);
 
 /// Whether modes that were decided before are still the ones, now: what slipped slips, and what held holds.
-bool modesHold(const HeldBall& held, const Decision& decided, const BallMotion& ball, double t);
+bool modesHold(const ConstrainedBall& constrained, const Decision& decided, const BallMotion& ball, double t);
 
 /// After how long the first thing that slips comes to rest, at its present rate; kNever if none does [s].
 double slipsFor(const Decision& decision);
