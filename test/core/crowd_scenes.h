@@ -47,7 +47,7 @@ inline Scene gasOf(int balls)
   return builder.gravity(0.0).build();
 }
 
-/// Falls into a heap: `exact` passes it to the pile.
+/// Falls into a heap: `exact` hands it to the contact solver.
 inline Scene pourOf(int balls, Method method = Method::Exact)
 {
   SceneBuilder builder = shaft(method, 0.33);

@@ -1,4 +1,4 @@
-// A pile without a world around it, so that a test sees what it keeps.
+// A contact solver without a world around it, so that a test sees what it keeps.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace ping_pong
 {
 inline constexpr double kStep = 1e-3;  // [s]
 
-// Balls that are all in a pile, step by step.
+// Balls that are all in the solver, step by step.
 struct SolverRun
 {
   WorldWithSolver world;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -120,6 +121,53 @@ TEST(Architecture, EveryHeaderBeginsWithItsPurposeAndIsShort)
       EXPECT_TRUE(startsWith(lines.front(), "// ") && lines.front().size() > 12) << file << ": " << lines.front();
       EXPECT_LE(lines.size(), 250u) << file;
     }
+}
+
+// Words by camelCase, snake_case and kConstant.
+std::vector<std::string> wordsOf(const std::string& identifier)
+{
+  std::vector<std::string> words;
+  bool lower = false;  // the letter before
+  for (const char c : identifier)
+  {
+    const bool letter = std::isalpha(static_cast<unsigned char>(c)) != 0;
+    const bool upper = std::isupper(static_cast<unsigned char>(c)) != 0;
+    if (words.empty() || !letter || (upper && lower)) words.emplace_back();
+    if (letter) words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    lower = letter && !upper;
+  }
+  return words;
+}
+
+std::string codeOf(const fs::path& file)
+{
+  static const std::regex kNoCode("//.*|\"(?:[^\"\\\\]|\\\\.)*\"|^\\s*#.*");
+  std::string code;
+  for (const std::string& line : linesOf(file)) code += std::regex_replace(line, kNoCode, " ") + '\n';
+  return code;
+}
+
+// A stranger knows the words of the field: these were ours.
+TEST(Architecture, IdentifiersAreTheWordsOfTheField)
+{
+  const std::set<std::string> kOurs = {
+      "pile",   "piles",  "glance",    "glances",  "outlook", "foresee", "foreseen", "foresaw", "soonest",
+      "hop",    "hops",   "nudge",     "crush",    "streak",  "flown",   "march",    "desk",    "encounter",
+      "chain",  "chains", "sweep",     "sweeps",   "calm",    "tired",   "crowding", "crowded", "announce",
+      "thrown", "settle", "announced", "troubles", "further", "passing", "meetings", "gather"};
+  static const std::regex kIdentifier("[A-Za-z_]\\w*");
+  std::size_t looked_at = 0;
+  for (const fs::path& file : sourcesIn(kCore))
+  {
+    const std::string code = codeOf(file);
+    for (std::sregex_iterator it(code.begin(), code.end(), kIdentifier); it != std::sregex_iterator(); ++it)
+      for (const std::string& word : wordsOf(it->str()))
+      {
+        ++looked_at;
+        EXPECT_EQ(kOurs.count(word), 0u) << file << ": " << it->str();
+      }
+  }
+  EXPECT_GT(looked_at, 50000u);
 }
 
 // The page names every room, and no file that is not there.

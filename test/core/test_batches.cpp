@@ -1,4 +1,4 @@
-// Touches in batches of four, and the numbers that are handled four at a time.
+// Constraints in batches of four, and the numbers that are handled four at a time.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ std::vector<ConstraintBatch> placedIn(const std::vector<std::array<std::uint32_t
   for (const auto& [a, b] : constraints)
   {
     const ConstraintIndex index = open.add(batches, a, b);
-    EXPECT_TRUE(indices.insert(index.value).second) << "each touch has a place of its own";
+    EXPECT_TRUE(indices.insert(index.value).second) << "each constraint has a lane of its own";
     EXPECT_EQ(batches[index.batch()].a[index.lane()], a);
     EXPECT_EQ(batches[index.batch()].b[index.lane()], b);
   }

@@ -56,18 +56,18 @@ void expectSameBits(const Scene& scene, double duration, std::size_t least_conta
   EXPECT_TRUE(sameBits(quick.end.v_WB, general.end.v_WB));
 }
 
-TEST(Hop, ElasticBouncesForAMinute)
+TEST(BounceRun, ElasticBouncesForAMinute)
 {
   expectSameBits(SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 0.3}, {0.5, -0.1, 0.2}).build(), 60.0,
                  100);
 }
 
-TEST(Hop, BouncesThatEndAtRest)
+TEST(BounceRun, BouncesThatEndAtRest)
 {
   expectSameBits(SceneBuilder().gravity(kG).floor().restitution(0.7).ball({0, 0, 1.0}, {0.3, 0, 0}).build(), 6.0, 20);
 }
 
-TEST(Hop, AnObliqueField)
+TEST(BounceRun, AnObliqueField)
 {
   Scene scene = SceneBuilder().gravity(kG).floor().restitution(0.9).ball({0, 0, 0.7}, {0.1, 0.2, 0.3}).build();
   scene.forces.gravity = {0.7, -0.3, -9.7};
@@ -82,7 +82,7 @@ TEST(Hop, AnObliqueField)
   expectSameBits(scene, 20.0, 30);
 }
 
-TEST(Hop, DownASlopeThatIsAllThereIs)
+TEST(BounceRun, DownASlopeThatIsAllThereIs)
 {
   Shape half_space;
   half_space.kind = ShapeKind::HalfSpace;
@@ -91,7 +91,7 @@ TEST(Hop, DownASlopeThatIsAllThereIs)
   expectSameBits(builder.ball({0, 0, 0.5}).build(), 4.0, 6);
 }
 
-TEST(Hop, FlightsLongerThanTheHorizonAndABoxOnTheWay)
+TEST(BounceRun, FlightsLongerThanTheHorizonAndABoxOnTheWay)
 {
   expectSameBits(SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 40.0}, {0.5, 0, 0}).build(), 60.0, 5);
   expectSameBits(SceneBuilder()
@@ -104,8 +104,8 @@ TEST(Hop, FlightsLongerThanTheHorizonAndABoxOnTheWay)
                  20.0, 20);
 }
 
-// Many hops of a window leave only the box that they were in, in which others have to find the ball.
-TEST(Hop, ABallThatFliesIntoManyHopsOfAWindowHits)
+// Many bounces of a window leave only the box that they were in, in which others have to find the ball.
+TEST(BounceRun, ABallThatFliesIntoManyBouncesOfAWindowHits)
 {
   const Scene scene =
       SceneBuilder().gravity(kG).floor().restitution(1.0).ball({0, 0, 0.06}).ball({-3, 0, 0.055}, {3, 0, 4.9}).build();

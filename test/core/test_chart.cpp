@@ -80,8 +80,8 @@ protected:
   }
 };
 
-// [m], a thousandth of a ball of 200 mm: `exact` passes a pile to `impulse`, at 1 ms.
-constexpr double kPileOverlap = 2e-4;
+// [m], a thousandth of a ball of 200 mm: `exact` hands a heap to `impulse`, at 1 ms.
+constexpr double kHeapOverlap = 2e-4;
 
 const std::vector<std::string> kVacuum = {"flight_vacuum",      "bouncing",    "drop_to_rest",
                                           "spin_bounce_vacuum", "ball_in_box", "paddle_hit"};
@@ -119,12 +119,12 @@ TEST_F(Chart, ExactNeverFails)
     {
       EXPECT_EQ(row.at("failures"), "") << scene << ' ' << row.at("step");
       EXPECT_EQ(row.at("wrong_bounces"), "0") << scene << ' ' << row.at("step");
-      const double most = scene == "inelastic_666" ? kPileOverlap : 1e-12;
+      const double most = scene == "inelastic_666" ? kHeapOverlap : 1e-12;
       EXPECT_LE(std::stod(row.at("penetration_m")), most) << scene << ' ' << row.at("step");
     }
 }
 
-TEST_F(Chart, PilesStayApart)  // what follows impacts in the order of a list lets balls sink twenty times deeper
+TEST_F(Chart, HeapsStayApart)  // what follows impacts in the order of a list lets balls sink twenty times deeper
 {
   std::map<std::string, double> simple;
   for (const Row& row : ours("inelastic_666", "euler_semi_implicit"))

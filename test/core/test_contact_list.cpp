@@ -61,7 +61,7 @@ TEST(ContactList, HasEachContactOfACrowd)
   }
 }
 
-// The pile counts its impacts and sweeps in 32 bits. After a day or so it counts anew, and nobody notices.
+// The solver counts its impacts and iterations in 32 bits. After a day or so it counts anew, and nobody notices.
 TEST(ContactList, MissesNoneWhenTheCountOfSweepsBeginsAnew)
 {
   SceneBuilder builder(Method::Impulse, kStep);

@@ -1,4 +1,4 @@
-// The exact method passes crowds that would never end to the pile, and takes them back.
+// The exact method hands crowds that would never end to the contact solver, and takes them back.
 #include <gtest/gtest.h>
 
 #include <algorithm>

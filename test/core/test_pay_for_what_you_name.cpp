@@ -310,7 +310,8 @@ TEST_P(PayForWhatYouName, AndForNothingElse)
     if (method == Method::Exact) expected = expected + what.exact;
     expected = expected + (locatesContacts(method) ? what.located : what.sampled);
     if (method == Method::Impulse) expected = expected + what.impulse;
-    if (method == Method::Impulse) expected.erase("constant acceleration");  // worked out when a ball joins the pile
+    if (method == Method::Impulse)
+      expected.erase("constant acceleration");  // worked out when a ball comes into the solver
     if (method == Method::Impulse && std::string(what.title) == "a paddle that moves")
       for (const char* law : {"box", "moving body"}) expected.erase(law);  // out of reach, it is not looked at
     EXPECT_EQ(lawsOf(what, method), expected) << name(method);

@@ -1,4 +1,4 @@
-// A pile cut into fewer slabs than before: nothing is left of what the slabs that are gone had found.
+// A solver cut into fewer slabs than before: nothing is left of what the slabs that are gone had found.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -109,7 +109,7 @@ std::size_t wakingSlab(const SolverRun& run)
 }
 
 // A ball is laid on one of them, which wakes up and is gone the next moment, with many others and its slab. Where it was in the
-// lists of the pile there is now a ball that nobody has touched.
+// lists of the solver there is now a ball that nobody has touched.
 TEST(Slabs, WhoLiesAloneIsNotWokenUpByASlabThatIsGone)
 {
   SolverRun run(ballsInARow(), 1);

@@ -111,7 +111,7 @@ void expectAsOnOneBoard(const Ride& ride, double tolerance, const std::string& w
 // Slow, fast, along a seam, over corners: (10 m/s leaves the board.)
 const Vector3d kWays[] = {{0.5, 0.2, 0}, {0.01, 0.2, 0}, {0.3, 0.0, 0}, {0.2, 0.2, 0}, {3.0, 0.7, 0}, {10.0, 3.0, 0}};
 
-TEST(PileSeams, ABallSlidesAndRollsAsOnOneBoard)
+TEST(SolverSeams, ABallSlidesAndRollsAsOnOneBoard)
 {
   for (const Vector3d& v : kWays)
     for (const double friction : {0.0, 0.05, 0.3})
@@ -127,7 +127,7 @@ TEST(PileSeams, ABallSlidesAndRollsAsOnOneBoard)
 }
 
 // What rounding makes of a tilted board differs from shape to shape, and impulses have 24 bits: of 1 m/s some 1e-8 m/s are left.
-TEST(PileSeams, TheSameOnATiltedBoard)
+TEST(SolverSeams, TheSameOnATiltedBoard)
 {
   for (const double friction : {0.0, 0.3})
     for (const double angle : {0.02, -0.1})
@@ -140,7 +140,7 @@ TEST(PileSeams, TheSameOnATiltedBoard)
     }
 }
 
-TEST(PileSeams, ABallBouncesAsOnOneBoard)
+TEST(SolverSeams, ABallBouncesAsOnOneBoard)
 {
   for (const double friction : {0.0, 0.3})
     for (const double restitution : {0.0, 0.5, 0.9, 1.0})
@@ -154,7 +154,7 @@ TEST(PileSeams, ABallBouncesAsOnOneBoard)
 }
 
 // A paddle of tiles rises, slides and turns below the ball.
-TEST(PileSeams, TheSameOnAPaddleThatMoves)
+TEST(SolverSeams, TheSameOnAPaddleThatMoves)
 {
   for (const double friction : {0.0, 0.3})
   {
@@ -170,7 +170,7 @@ TEST(PileSeams, TheSameOnAPaddleThatMoves)
 }
 
 // Over the end of the board the edges of all tiles are one edge.
-TEST(PileSeams, ABallLeavesTheBoardAsOneWithoutSeams)
+TEST(SolverSeams, ABallLeavesTheBoardAsOneWithoutSeams)
 {
   for (const Vector3d& v : {Vector3d(0.3, 0.2, 0), Vector3d(0.08, 0.1, 0), Vector3d(2.0, 0.5, 0)})
     for (const double friction : {0.0, 0.3})
@@ -187,7 +187,7 @@ TEST(PileSeams, ABallLeavesTheBoardAsOneWithoutSeams)
 }
 
 // Half a pipe's length of a pole that lies on its side: a seam runs round it.
-TEST(PileSeams, ARoundSideOfTwoPiecesIsOne)
+TEST(SolverSeams, ARoundSideOfTwoPiecesIsOne)
 {
   const auto pole = [](int pieces)
   {
@@ -214,7 +214,7 @@ TEST(PileSeams, ARoundSideOfTwoPiecesIsOne)
 // --- what is no seam ---
 
 // The ball touches the edge of a step up by 0.1 mm under acos(1 - h / r) = 0.1 rad, and is thrown.
-TEST(PileSeams, AStepOfATenthOfAMillimetreIsAStep)
+TEST(SolverSeams, AStepOfATenthOfAMillimetreIsAStep)
 {
   constexpr double kStep = 1e-4;
   std::vector<Shape> step = planks();
@@ -233,7 +233,7 @@ TEST(PileSeams, AStepOfATenthOfAMillimetreIsAStep)
 }
 
 // A ramp that begins at the end of a board, in its plane: the ball is turned upwards.
-TEST(PileSeams, ARampIsNoSeam)
+TEST(SolverSeams, ARampIsNoSeam)
 {
   constexpr double kSlope = 0.2;
   std::vector<Shape> all = board();
@@ -255,7 +255,7 @@ TEST(PileSeams, ARampIsNoSeam)
   }
 }
 
-TEST(PileSeams, AWallThatStandsOnTheTilesIsAWall)
+TEST(SolverSeams, AWallThatStandsOnTheTilesIsAWall)
 {
   std::vector<Shape> all = tiles();
   Shape wall = boxShape({0.1, 1.2, 0.2});
@@ -272,7 +272,7 @@ TEST(PileSeams, AWallThatStandsOnTheTilesIsAWall)
 }
 
 // A crowd is a fine instrument: what differs by a bit anywhere differs everywhere half a second later.
-TEST(PileSeams, ACrowdOnTilesGoesAsOnOneBoard)
+TEST(SolverSeams, ACrowdOnTilesGoesAsOnOneBoard)
 {
   const auto crowdOn = [](const std::vector<Shape>& shapes)
   {

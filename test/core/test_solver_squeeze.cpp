@@ -83,7 +83,7 @@ struct Press
 };
 
 // The scene of the issue: .9 on the floor, .8 on the plate.
-TEST(PileSqueeze, APlateThatComesDownOnABallDoesNotShootItOut)
+TEST(SolverSqueeze, APlateThatComesDownOnABallDoesNotShootItOut)
 {
   for (const double tick : {1e-2, 1e-3, 1e-4})
   {
@@ -114,7 +114,7 @@ TEST(PileSqueeze, APlateThatComesDownOnABallDoesNotShootItOut)
   }
 }
 
-TEST(PileSqueeze, OneBallIsSqueezedAtAnySpeedAndTickAndLetGoAtRest)
+TEST(SolverSqueeze, OneBallIsSqueezedAtAnySpeedAndTickAndLetGoAtRest)
 {
   double speed = 0.0;
   for (const double e : {0.0, 0.5, 0.9, 1.0})
@@ -143,7 +143,7 @@ TEST(PileSqueeze, OneBallIsSqueezedAtAnySpeedAndTickAndLetGoAtRest)
 
 // A stack that falls over by itself is as fast as its height allows. Balls that bounce without loss between surfaces that close on them
 // gain speed; nothing more is known of the fastest one. Without any care it was 16 000 times as fast as the plate.
-TEST(PileSqueeze, AStackIsNotShotOut)
+TEST(SolverSqueeze, AStackIsNotShotOut)
 {
   double most = 0.0;
   for (const std::size_t balls : {2, 3, 5})
@@ -167,7 +167,7 @@ TEST(PileSqueeze, AStackIsNotShotOut)
 }
 
 // Without friction: v = u / tan(tilt) if it keeps touching both, twice that if it bounces between them, see test_squeeze.cpp.
-TEST(PileSqueeze, AWedgePushesABallOutAsFastAsItMust)
+TEST(SolverSqueeze, AWedgePushesABallOutAsFastAsItMust)
 {
   for (const double tilt : {0.15, 0.3})
     for (const double u : {0.2, 1.0, 10.0})
@@ -189,7 +189,7 @@ TEST(PileSqueeze, AWedgePushesABallOutAsFastAsItMust)
         }
 }
 
-TEST(PileSqueeze, ABallWithAFreeWayIsHitNotSqueezed)
+TEST(SolverSqueeze, ABallWithAFreeWayIsHitNotSqueezed)
 {
   for (const double e : {0.0, 0.5, 1.0})
     for (const double tick : {1e-2, 1e-3})
@@ -212,7 +212,7 @@ TEST(PileSqueeze, ABallWithAFreeWayIsHitNotSqueezed)
 }
 
 // Between two paddles in mid-air that come together.
-TEST(PileSqueeze, PaddlesThatComeTogetherHoldABallUntilTheyPart)
+TEST(SolverSqueeze, PaddlesThatComeTogetherHoldABallUntilTheyPart)
 {
   SceneBuilder builder(Method::Impulse);
   builder.gravity(0.0).restitution(1.0).ball({0, 0, 0}).ball({1, 0, 0});
@@ -254,7 +254,7 @@ Scene pressedCrowd(Method method)
   return builder.build();
 }
 
-TEST(PileSqueeze, ACrowdUnderAPlateIsTheSameWithAnyNumberOfThreads)
+TEST(SolverSqueeze, ACrowdUnderAPlateIsTheSameWithAnyNumberOfThreads)
 {
   std::uint64_t hash = 0;
   for (const std::size_t threads : {1, 3})

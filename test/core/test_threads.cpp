@@ -17,7 +17,7 @@ struct Course
 {
   std::vector<std::uint64_t> states;  // after each tick
   std::vector<std::string> contacts;  // of each tick
-  std::vector<std::size_t> counts;    // contacts, events, balls in the pile
+  std::vector<std::size_t> counts;    // contacts, events, balls in the solver
   bool operator==(const Course& other) const
   {
     return states == other.states && contacts == other.contacts && counts == other.counts;
@@ -97,7 +97,7 @@ TEST(Threads, BallsInAirWithAMovingPaddle)
   EXPECT_GT(sumOf(course, 0), 100u);
 }
 
-TEST(Threads, APourThatPassesToThePile)
+TEST(Threads, APourThatIsHandedToTheSolver)
 {
   const Course course = sameForAnyNumber(pourOf(300), 0.02, 28);
   measured("pour of 300: piled at the end", static_cast<double>(course.counts.back()));
@@ -105,7 +105,7 @@ TEST(Threads, APourThatPassesToThePile)
   EXPECT_EQ(course.counts[2], 0u);
 }
 
-TEST(Threads, APileFromTheStart)
+TEST(Threads, TheSolverFromTheStart)
 {
   const Course course = sameForAnyNumber(pourOf(800, Method::Impulse), 0.02, 28);
   EXPECT_EQ(course.counts.back(), 800u);

@@ -320,7 +320,7 @@ Moment swungPaddle()
   return moment;
 }
 
-Moment pile(const char* title, int threads, int before)
+Moment heap(const char* title, int threads, int before)
 {
   const int balls = threads == 1 ? 150 : 600;  // which are worth sharing
   return {title, inThreads(pourOf(balls, Method::Impulse), threads), 0.02, before, 5};
@@ -357,9 +357,9 @@ std::vector<Moment> makeMoments()
   {
     for (const int before : {0, 7})  // short ticks: between them it is known who meets whom next
       all.push_back({"gas", inThreads(gasOf(600), threads), 2e-3, before, 10});
-    Moment falling = pile("falling together", threads, 5);
+    Moment falling = heap("falling together", threads, 5);
     falling.reached = [](const World& world, const StepStatus& status) { return status.piled == world.ballCount(); };
-    Moment asleep = pile("half asleep", threads, 50);
+    Moment asleep = heap("half asleep", threads, 50);
     asleep.reached = [](const World& world, const StepStatus&)
     { return restingBalls(world) > 0 && restingBalls(world) < world.ballCount(); };
     for (const Moment& moment : {falling, asleep, handedOver(threads), ballsOnATable(threads)}) all.push_back(moment);

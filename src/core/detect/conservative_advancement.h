@@ -1,4 +1,4 @@
-// Conservative advancement to the first contact, see first_contact.h: how far the gap surely stays open, step there, sample again.
+// Conservative advancement to a first contact, see first_contact.h: how far the gap stays open, step there, sample again.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ inline constexpr double kNoClosingSpeed = 1e-12;  // [m/s]
 // A touching ball that neither closes in nor presses: advance by at least this time, then by twice that.
 inline constexpr double kFirstAdvance = 1e-9;  // [s]
 inline constexpr double kLastAdvance = 1e-6;   // [s]
-inline constexpr int kMaxSamples = 2000;
+inline constexpr int kMaxSamples = 2000;       // undecided then: the loop of events goes on from there
 // First d >= 0 with f + f' d + c d^2 / 2 = 0, for f >= 0, without cancellation; kNever if there is none.
 inline double safeStep(double gap, double rate, double c)
 {

@@ -7,7 +7,7 @@ namespace ping_pong
 namespace
 {
 constexpr double kClose = 2e-6;  // a step of third order as short as this one leaves nothing behind [s]
-constexpr int kMaxSteps = 8;
+constexpr int kMaxSteps = 8;     // a bound: each triples the digits; else the general search takes over
 
 // The height bends downwards, and at `from` the ball is above or rises: there is one contact at most. Steps to the zero of the
 // parabola that fits the height here (Halley's irrational method). Undecided: they do not lead there.

@@ -37,8 +37,8 @@ void giveHigherCoefficients(double spin_decay, Segment& path)
 }
 
 constexpr double kIterationsShare = 0.1;  // of the tolerance, left to the iteration
-constexpr int kMaxIterations = 40;
-constexpr double kLongestPiece = 1.0;  // [s]
+constexpr int kMaxIterations = 40;        // a piece that needs more is tried again, shorter
+constexpr double kLongestPiece = 1.0;  // more than a ball flies over a table: bounds of its acceleration stay tight [s]
 constexpr double kFirstTry = 3.0;      // length of the first piece, by tolerance^(1/(N+1)) / rate of the flow
 constexpr double kNoKink = std::numeric_limits<double>::infinity();  // [s]
 

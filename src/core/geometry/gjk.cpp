@@ -7,7 +7,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMaxSteps = 64;
+constexpr int kMaxSteps = 64;            // a bound: rounding may keep the last step from being the last
 constexpr double kTouching = 1e-12;      // [m]
 constexpr double kRelativeGain = 1e-12;  // an improvement below this part of the squared distance is none
 constexpr double kDegenerate = 1e-24;    // determinant / product of squared edges of a simplex without extent

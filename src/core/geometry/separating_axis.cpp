@@ -13,7 +13,7 @@ namespace
 {
 // Round shapes nearer than this by their axes are looked at closely.
 constexpr double kNear = 1e-3;  // [m]
-constexpr int kMaxClimb = 60;
+constexpr int kMaxClimb = 60;   // 20 halvings of the step lead from 0.1 rad to the least one; the rest are steps uphill
 constexpr double kLeastClimb = 1e-7;  // [rad]
 
 // A shape with its axes in the world.

@@ -170,9 +170,9 @@ void collidePair(WorldState& world, BallRecord& a, BallRecord& b, const Instant&
   const double distance = d.norm();
   const double overlap = a.params().radius + b.params().radius - distance;
   const Vector3d n = distance > 0.0 ? Vector3d(d / distance) : Vector3d(Vector3d::UnitZ());
-  const double share = b.params().mass / (a.params().mass + b.params().mass);  // the lighter ball gives way further
-  state_a.p_WB += share * overlap * n;
-  state_b.p_WB -= (1.0 - share) * overlap * n;
+  const double part_of_a = b.params().mass / (a.params().mass + b.params().mass);  // the lighter ball gives way further
+  state_a.p_WB += part_of_a * overlap * n;
+  state_b.p_WB -= (1.0 - part_of_a) * overlap * n;
   const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
   const BallState before = state_a;
   const Vector3d p_WC = state_a.p_WB - a.params().radius * n;

@@ -18,7 +18,7 @@ constexpr double kPushOutSpeed = 1.0;      // [m/s]
 constexpr double kSlowest = 1e-12;         // closing slower than this is none [m/s]
 constexpr double kShortest = 1e-5;         // a motion cut shorter than this stops instead [s]
 constexpr double kForever = std::numeric_limits<double>::infinity();
-constexpr int kMaxSamples = 64;
+constexpr int kMaxSamples = 64;  // the motion ends where they end, and goes on with the next one
 constexpr int kMaxProjections = 16;
 
 // Speed of any point of the body over [0, h] is at most this.

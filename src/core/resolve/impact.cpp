@@ -65,8 +65,9 @@ Vector3d part(const Surface& law, double speed, const BallParams& ball1, BallSta
   count(Law::Slip);
   const Vector3d spin = ball1.radius * state1.w_WB + ball2.radius * state2.w_WB;
   const Vector3d slip = tangential(relative, n_W) - spin.cross(n_W);
-  const double give = (1.0 + 1.0 / ball1.inertia) / ball1.mass + (1.0 + 1.0 / ball2.inertia) / ball2.mass;
-  const Vector3d sideways = tangentialImpulse(law, slip, 1.0 / give, normal);
+  const double inverse_effective_mass =
+      (1.0 + 1.0 / ball1.inertia) / ball1.mass + (1.0 + 1.0 / ball2.inertia) / ball2.mass;
+  const Vector3d sideways = tangentialImpulse(law, slip, 1.0 / inverse_effective_mass, normal);
   apply(ball1, state1, n_W, sideways);
   apply(ball2, state2, -n_W, -sideways);
   return normal * n_W + sideways;

@@ -18,6 +18,8 @@ Grips allThatIsRough(const ConstrainedBall& constrained)
 
 namespace
 {
+// Rounds fall by a constant factor each, the nearer to 1 the more parallel two normals are; rubbing may also jam the ball, which
+// shows as rounds that do not end.
 constexpr int kGripRounds = 1000;
 constexpr int kRubbingRounds = 200;
 

@@ -10,9 +10,9 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMaxIterations = 40;
-constexpr double kFirstTry = 5e-3;          // [s]
-constexpr double kLongestPiece = 0.1;       // [s]
+constexpr int kMaxIterations = 40;          // a piece that needs more is tried again, shorter
+constexpr double kFirstTry = 5e-3;          // from the second piece on the one before tells [s]
+constexpr double kLongestPiece = 0.1;       // what may end it is looked for at a few places only [s]
 constexpr double kBeforeRest = 0.9;         // of the time until a slip ends: its direction may change fast at the end
 constexpr double kEndOfBisection = 1e-13;   // [s]
 constexpr double kInsideTolerance = 2e-11;  // [m]

@@ -11,7 +11,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMaxIterations = 400;
+constexpr int kMaxIterations = 400;  // Newton takes over before, where they converge slowly
 constexpr int kPatience = 100;       // iterations, before it is asked whether supports press on each other
 constexpr int kSlowIterations = 20;  // with so many left to do, Newton's method is tried
 constexpr double kConverged =

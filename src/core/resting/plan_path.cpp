@@ -20,24 +20,24 @@ constexpr double kStillSpeed = 1e-12;       // below: rounding, the ball lies st
 constexpr double kRoundedFraction = 1e-12;  // accelerations below this part of all there are are rounding
 constexpr double kTouchedFraction = 1e-7;   // parting with less than this part of them, a ball still touches
 constexpr double kMostTouched = 1e-3;       // the same where contact and parting have followed each other without end
-constexpr int kProjections = 4;
-constexpr double kNearlyParallel = 0.02;   // angle between two normals [rad]
-constexpr double kShareOfPieces = 0.1;     // of the tolerance
-constexpr double kLeastTolerance = 1e-14;  // rounding [m]
-constexpr double kTouchedGap = 1e-12;      // a surface this near is touched [m]
-constexpr double kSameNormal = 1e-7;       // difference of normals of surfaces that continue each other
+constexpr int kProjections = 4;             // rounds of Newton: from 1e-6 m to rounding in two
+constexpr double kNearlyParallel = 0.02;    // angle between two normals [rad]
+constexpr double kShareOfPieces = 0.1;      // of the tolerance
+constexpr double kLeastTolerance = 1e-14;   // rounding [m]
+constexpr double kTouchedGap = 1e-12;       // a surface this near is touched [m]
+constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces that continue each other
 
 // What can be stopped within the grip time is stopped at once: the error is a fraction of g t^2, of the tolerance. Paths that
 // end one after the other in no time make it longer, so that they come to an end.
 constexpr double kShareOfStops = 1e-3;       // of the tolerance
-constexpr double kUsualAcceleration = 10.0;  // [m/s^2]
-constexpr double kShortestGrip = 3e-8;       // [s]
+constexpr double kUsualAcceleration = 10.0;  // about gravity [m/s^2]
+constexpr double kShortestGrip = 3e-8;       // g t^2 is 1e-14 m: rounding [s]
 constexpr double kShortestPiece = 3e-8;      // [s]
-constexpr double kLongestGrip = 1e-3;        // [s]
+constexpr double kLongestGrip = 1e-3;        // stops what slips at 1 cm/s at most [s]
 constexpr double kShortPath = 1e-3;          // [s]
 constexpr double kSameTime = 1e-9;           // [s]
 constexpr double kShortestMotion = 1e-5;     // of a body: a path may be as much longer [s]
-constexpr std::uint32_t kPatience = 50;
+constexpr std::uint32_t kPatience = 50;      // short paths in a row: a few modes may well follow each other at once
 
 // Doubles with every short path beyond patience.
 double grown(double time, const Supports& supports)

@@ -38,7 +38,7 @@ void updateActive(WorldWithSolver& world)
 
 void ContactSolver::voidActive(std::size_t i)
 {
-  if (neighbours_void) return;  // all is known anew when they are built
+  if (neighbours_void) return;  // all is known anew when they have been searched
   const std::size_t slab = slab_of[i];
   slabs[slab].active_void = lastSlab().active_void = true;
   if (slab > 0) slabs[slab - 1].active_void = true;

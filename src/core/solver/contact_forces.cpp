@@ -56,7 +56,7 @@ void applyChanges(ContactSolver& solver, const SolverSlab& slab)
     const Change& change = solver.changes[i];
     solver.movers[i].v += change.v.head<3>().cast<double>();
     solver.movers[i].p += change.p.head<3>().cast<double>();
-    solver.w[i] += change.surface_speed.head<3>().cast<double>() / solver.radius(i);
+    solver.w[i] += change.surface_velocity.head<3>().cast<double>() / solver.radius(i);
   }
 }
 
@@ -127,7 +127,7 @@ void clearChange(ContactSolver& solver, std::uint32_t i)
   const SolverBallType& type = solver.ball_types[solver.movers[i].type];
   Change& change = solver.changes[i];
   change.v << Vector3f::Zero(), static_cast<float>(type.inverse_mass);
-  change.surface_speed << Vector3f::Zero(), static_cast<float>(type.inverse_mass / type.params.inertia);
+  change.surface_velocity << Vector3f::Zero(), static_cast<float>(type.inverse_mass / type.params.inertia);
   change.before << (type.params.radius * solver.w[i]).cast<float>(), 0.0f;
   change.p.setZero();
   solver.carried_by[i] = 0;

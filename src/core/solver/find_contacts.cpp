@@ -29,7 +29,7 @@ bool hitInThisStep(const ContactSolver& solver, std::size_t i)
   return solver.movers[i].last_impact >= solver.step_mark;
 }
 
-// One of them has fallen asleep, or none does any more: see ContactSolver::held.
+// One of them has fallen asleep, or none does any more: see ContactSolver::force_at_sleep.
 void updateForceAtSleep(ContactSolver& solver, std::uint32_t l, bool one_sleeps)
 {
   float& force_at_sleep = solver.force_at_sleep[l];
@@ -94,7 +94,7 @@ void transferImpulses(ContactSolver& solver, SolverSlab& slab, std::uint32_t fro
   if (to > from)
     solver.bodies[to].impulse += old.impulse;
   else
-    for (const BodyConstraint& constraint : slab.body_constraints)  // it has been gathered
+    for (const BodyConstraint& constraint : slab.body_constraints)  // it has been found
     {
       if (constraint.moving || constraint.neighbour != to) continue;
       ConstraintBatch& batch = slab.body_batches[constraint.index.batch()];

@@ -14,7 +14,8 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMostImpacts = 15;  // of one ball in one step; what is left is up to the contacts
+// Of one ball in one step. The last has to be 4^15 times as fast as the least impact: beyond, contacts take over anyway.
+constexpr int kMostImpacts = 15;
 
 // From t on the ball flies with this state: its path is drawn back to the start of the step.
 void changePath(ContactSolver& solver, std::size_t i, const BallState& state, double t)

@@ -10,8 +10,8 @@ namespace ping_pong
 namespace
 {
 constexpr float kContactSlack = 2e-4f;  // contacts are looked at that far before they touch [m]
-constexpr double kLargeBox = 1.5;       // in mean edges
-constexpr double kCellsPerBall = 2.0;
+constexpr double kLargeBox = 1.5;       // in mean edges: one box that is longer would make all cells longer
+constexpr double kCellsPerBall = 2.0;   // at most: each costs memory and a look, empty or not
 constexpr double kSpread = 3.0;  // the grid covers so many standard deviations; balls outside are in its outer cells
 
 float reachOf(const ContactSolver& solver, std::size_t i)

@@ -12,9 +12,9 @@ namespace
 {
 using Eigen::Vector3f;
 
-constexpr double kMargin = 0.08;           // around the way of a ball along which neighbours are searched, in mean radii
-constexpr double kStepsAhead = 8.0;        // length of that way, in steps of length h,
-constexpr double kRadiiAhead = 2.0;        // unless it is longer than this; one step at least
+constexpr double kMargin = 0.08;     // around the way of a ball along which neighbours are searched, in mean radii
+constexpr double kStepsAhead = 8.0;  // length of that way, in steps of length h,
+constexpr double kRadiiAhead = 2.0;  // unless it is longer than this; one step at least
 constexpr std::size_t kManyStrays = 1000;  // balls that may leave their boxes before all neighbours are searched anew,
 constexpr std::size_t kStrayPart = 8;      // and one in so many of them
 

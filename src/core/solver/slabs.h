@@ -1,7 +1,7 @@
 // The solver cut into slabs that threads work on at the same time: the same slabs, in the same order, for any number of threads.
 //
 // A slab is at least as wide as two neighbours are apart, but for a few very fast ones. So a pair of which one ball is in
-// slab s has the other there or in slab s + 1, and belongs to s: work on the pairs of slabs s and s + 2 has no ball in common. What
+// slab s has the other there or in slab s + 1, and belongs to s: the pairs of slabs s and s + 2 have no ball in common. What
 // reaches farther is in a slab of its own, the last one.
 #pragma once
 

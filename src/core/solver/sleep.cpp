@@ -7,8 +7,8 @@ namespace
 {
 constexpr float kStillFor = 0.25f;    // a ball that has not left its place for so long may fall asleep [s],
 constexpr double kStillSpeed = 5e-3;  // and neither moves nor turns at its surface faster than this [m/s]
-constexpr std::uint32_t kEvery = 16;  // steps
-constexpr double kNear = 1e-3;        // [m]
+constexpr std::uint32_t kEvery = 16;  // steps: a search through all constraints, for balls that are still for hundreds
+constexpr double kNear = 1e-3;        // more than what heaps overlap by: no ball that lay on one is forgotten [m]
 
 bool still(const ContactSolver& solver, std::size_t i)
 {

@@ -44,9 +44,9 @@ static_assert(sizeof(Mover) == 64, "one cache line");
 struct alignas(64) Change
 {
   Eigen::Vector4f v = Eigen::Vector4f::Zero();  ///< of its velocity [m/s], and 1 / mass, 0 while asleep [1/kg]
-  Eigen::Vector4f surface_speed = Eigen::Vector4f::Zero();  ///< of radius times spin [m/s], and 1 / (k mass) [1/kg]
-  Eigen::Vector4f before = Eigen::Vector4f::Zero();         ///< radius times spin before the contacts [m/s], and 0
-  Eigen::Vector4f p = Eigen::Vector4f::Zero();              ///< of its place, against overlap [m], and 0
+  Eigen::Vector4f surface_velocity = Eigen::Vector4f::Zero();  ///< of radius times spin [m/s], and 1 / (k mass) [1/kg]
+  Eigen::Vector4f before = Eigen::Vector4f::Zero();            ///< radius times spin before the contacts [m/s], and 0
+  Eigen::Vector4f p = Eigen::Vector4f::Zero();                 ///< of its place, against overlap [m], and 0
 };
 static_assert(sizeof(Change) == 64, "one cache line");
 
@@ -70,14 +70,15 @@ struct SolverBodies
   std::vector<Vector3d> pending_rotation;  ///< rotation since that is not in q yet, as a rotation vector [rad]
   std::vector<Change> changes;
   std::vector<std::uint32_t>
-      last_iteration;                    ///< the iteration over constraints that last changed it, on the counter of the solver
+      last_iteration;  ///< the iteration over constraints that last changed it, on the counter of the solver
   std::vector<std::uint8_t> carried_by;  ///< in this step: kCarried, kByBall or both
   std::vector<Vector3d> a;               ///< acceleration, where it is not constant [m/s^2]
   std::vector<Vector3d> home;            ///< where it was when neighbours were searched [m]
-  std::vector<Eigen::Vector3f> displacement;  ///< way from there along which they were searched, and by the margin around it [m]
-  std::vector<Eigen::Vector3f> anchor;        ///< place that it has not left for the time `still`, from home [m]
-  std::vector<float> still;                   ///< [s]
-  std::vector<float> since_contact;           ///< time since its last contact with another ball [s]
+  std::vector<Eigen::Vector3f>
+      displacement;  ///< way from there along which they were searched, and by the margin around it [m]
+  std::vector<Eigen::Vector3f> anchor;  ///< place that it has not left for the time `still`, from home [m]
+  std::vector<float> still;             ///< [s]
+  std::vector<float> since_contact;     ///< time since its last contact with another ball [s]
   std::vector<BodyHit> last_hits;
   std::vector<Vector3d>
       start_positions;  ///< where it was at the start of the step, if a moving body is near any ball [m]

@@ -11,6 +11,7 @@
 #include "ping_pong_sim/forces.h"
 #include "ping_pong_sim/types.h"
 #include "solver/contact_batches.h"
+#include "solver/neighbours.h"
 #include "solver/solver_bodies.h"
 #include "state/world_state.h"
 
@@ -25,41 +26,6 @@ struct SolverBallType
   double spin_per_impulse = 0.0;  ///< 1 / (k r): spin is this times impulse / mass [1/m]
   double inverse_mass = 0.0;      ///< [1/kg]
   double slip_per_impulse = 0.0;  ///< 1 + 1/k: slip of the touching point is this times impulse / mass
-};
-
-/// An entry in the list of neighbours of one ball.
-struct PairEnd
-{
-  std::uint32_t pair : 31;  ///< index
-  std::uint32_t is_b : 1;   ///< the list is that of its ball b
-
-  static PairEnd endOfList() { return {~0u >> 1, 1}; }
-  bool isEnd() const { return pair == ~0u >> 1; }
-};
-static_assert(sizeof(PairEnd) == 4, "there are thousands of links");
-
-/// Two balls that may touch soon. Each ball has a list of its pairs: see anyPair().
-struct NeighbourPair
-{
-  std::uint32_t a, b;      ///< slots; normals point from b to a
-  PairEnd next_a, next_b;  ///< in the lists of a and b
-};
-
-/// A ball and a shape that may touch soon.
-struct BodyNeighbour
-{
-  std::uint32_t ball;
-  std::uint32_t next;  ///< neighbour of this ball, a still body again
-  std::uint16_t body, shape;
-  Lanes impulse{};  ///< in the last step: of friction, and along the normal, >= 0 [N s]
-};
-
-/// What is kept of a pair in contact while neighbours are searched anew.
-struct KeptPair
-{
-  std::uint32_t a, b;
-  float force_at_sleep;  ///< see ContactSolver
-  Lanes impulse;         ///< see ContactSolver
 };
 
 struct BodyConstraint
@@ -77,24 +43,6 @@ struct SqueezedBall
 {
   std::uint32_t ball;  ///< its index in WorldWithSolver::balls
   Vector3d p_WB;       ///< [m]
-};
-
-/// A pair, or a ball and a shape: an entry of one of the three lists of neighbours.
-struct NeighbourRef
-{
-  enum List : std::uint32_t
-  {
-    Pairs,
-    StillBodies,
-    MovingBodies
-  };
-  std::uint32_t index : 30;
-  std::uint32_t list : 2;
-
-  bool operator>(const NeighbourRef& other) const
-  {
-    return index != other.index ? index > other.index : list > other.list;
-  }
 };
 
 /// An impact in this step, if nothing happens to its balls before.
@@ -162,7 +110,7 @@ struct ContactSolver : SolverBodies
       force_at_sleep;  ///< of each pair: normal force when one of them fell asleep; < 0 if not one alone sleeps [N]
   std::vector<BodyNeighbour> bodies;             ///< with still bodies
   std::vector<BodyNeighbour> moving;             ///< with moving bodies, for this step
-  std::array<SolverSlab, kMostSlabs + 1> slabs;  ///< the last one in use is for pairs that reach farther
+  std::array<SolverSlab, kMostSlabs + 1> slabs;  ///< of these the last one is for pairs that reach farther
   std::size_t slab_count = 1;
   std::vector<std::uint8_t> slab_of;      ///< of each ball, since neighbours were searched
   std::vector<PairEnd> first_pair;        ///< of each ball, the beginning of its list in `pairs`

@@ -59,7 +59,7 @@ double excessOf(const ContactSolver& solver, std::size_t i)
   const Change& change = solver.changes[i];
   const Vector3d &v = solver.movers[i].v, &w = solver.w[i];
   const Vector3d v_before = v - change.v.head<3>().cast<double>();
-  const Vector3d w_before = w - change.surface_speed.head<3>().cast<double>() / ball.radius;
+  const Vector3d w_before = w - change.surface_velocity.head<3>().cast<double>() / ball.radius;
   const double now = energyOf(ball, v, w), before = energyOf(ball, v_before, w_before);
   if (now <= before) return now - before;
   const double of_body = ((solver.carried_by[i] & ContactSolver::kByBall) != 0 ? kElastic : kFlees) * solver.pressing;

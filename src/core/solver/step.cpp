@@ -12,7 +12,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kFastest = 1e8;        // [m/s]
+constexpr double kFastest = 1e8;        // squares of it, and their sums, are far from overflow [m/s]
 constexpr double kNoImpact = 1e-9;      // slower is no impact: without any force [m/s],
 constexpr double kImpactInSteps = 2.0;  // and else what gravity adds in so many steps
 constexpr std::uint32_t kLastCount =

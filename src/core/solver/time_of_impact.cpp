@@ -11,7 +11,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMostAdvances = 20;  // of a search for the time of an impact
+constexpr int kMostAdvances = 20;  // of a search, which converges quadratically: more only where a ball grazes an edge
 constexpr int kMostSeams = 4;      // of a moving body that a ball passes in a step
 
 // A ball on a face comes to the edge of the next shape in the same plane: no impact. When it will be past the edge, or kNever.
@@ -27,7 +27,7 @@ double crossesSeam(const WorldWithSolver& world, const BodyNeighbour& neighbour,
   return along > 0.0 ? t + way.squaredNorm() / along : kNever;
 }
 
-// Advances as firstContact() does, see first_contact.h: the gap stays above its tangent parabola. On a straight line its rate only grows.
+// Advances as firstContact() does: the gap stays above its tangent parabola. On a straight line its rate only grows.
 double stillImpact(const WorldWithSolver& world, const BodyNeighbour& neighbour)
 {
   const ContactSolver& solver = world.solver;

@@ -9,7 +9,7 @@ namespace ping_pong
 namespace
 {
 constexpr double kPressed = 1e-4;  // overlap that the contact solver may leave [m]
-constexpr int kMaxPushes = 50;
+constexpr int kMaxPushes = 50;     // between shapes that leave no room they would have no end
 
 // What is nearest to a sphere.
 struct Nearest
@@ -20,7 +20,7 @@ struct Nearest
   BallId ball = 0;
 };
 
-void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, Nearest& nearest, bool moving = true)
+void searchBodies(const WorldState& world, const Vector3d& p_WB, double radius, Nearest& nearest, bool moving = true)
 {
   for (const BodyRecord& body : world.bodies)
   {
@@ -34,7 +34,7 @@ void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, 
   }
 }
 
-void lookAtBalls(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except, Nearest& nearest)
+void searchBalls(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except, Nearest& nearest)
 {
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
@@ -52,8 +52,8 @@ void lookAtBalls(const WorldState& world, const Vector3d& p_WB, double radius, s
 Nearest nearestTo(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
 {
   Nearest nearest;
-  lookAtBodies(world, p_WB, radius, nearest);
-  lookAtBalls(world, p_WB, radius, except, nearest);
+  searchBodies(world, p_WB, radius, nearest);
+  searchBalls(world, p_WB, radius, except, nearest);
   return nearest;
 }
 }  // namespace
@@ -74,7 +74,7 @@ void pushOutOfStill(const WorldState& world, Vector3d& p_WB, double radius)
   for (int i = 0; i < kMaxPushes; ++i)
   {
     Nearest nearest;
-    lookAtBodies(world, p_WB, radius, nearest, false);
+    searchBodies(world, p_WB, radius, nearest, false);
     if (nearest.gap >= -kOverlapTolerance) return;
     p_WB -= nearest.gap * nearest.n_W;
   }
@@ -93,14 +93,14 @@ bool hasRoom(const WorldState& world, const Vector3d& p_WB, double radius, std::
 bool hasRoomAmongBodies(const WorldState& world, const Vector3d& p_WB, double radius)
 {
   Nearest nearest;
-  lookAtBodies(world, p_WB, radius, nearest);
+  searchBodies(world, p_WB, radius, nearest);
   return nearest.gap >= -kOverlapTolerance;
 }
 
 bool overlapsABody(const WorldState& world, const Vector3d& p_WB, double radius)
 {
   Nearest nearest;
-  lookAtBodies(world, p_WB, radius, nearest);
+  searchBodies(world, p_WB, radius, nearest);
   return nearest.gap < -kPressed;
 }
 

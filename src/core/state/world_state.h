@@ -157,7 +157,7 @@ struct BodyRecord
   static const BodyMotion kWorldFrame;
 };
 
-/// Provenance of a contact: which ball has recorded it, and in which run of its island: what an earlier run has recorded has not happened.
+/// Which ball has recorded a contact, and in which run of its island: what an earlier one has recorded has not happened.
 struct ContactProvenance
 {
   std::uint32_t ball;
@@ -208,7 +208,7 @@ struct WorldState : Records, SharedScene
   std::vector<BodyRecord> bodies;
   bool any_moving = false;  ///< any body, in this window
   std::uint32_t edits =
-      0;            ///< raised by all that change balls or bodies outside of a window: what is remembered of them is void
+      0;  ///< raised by all that change balls or bodies outside of a window: what is remembered of them is void
   Workers workers;  ///< as many as the scene names threads, once there are balls to share
 
   /// Its record will be changed soon: until then it comes through memory.

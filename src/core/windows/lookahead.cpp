@@ -10,7 +10,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kMostChanges = 0.25;  // by ball: then it is time for a new grid
+constexpr double kMostChanges = 0.25;  // by ball: additions are in lists, slower to search than the grid
 constexpr std::size_t kListed = 8;     // balls for which is listed who is near, before the first one is looked at
 
 bool unchanged(const WorldWithWindows& world, const PredictedContact& contact)
@@ -137,7 +137,7 @@ void checkDueContacts(const WorldWithWindows& world, const WorkerWindow& window,
     if (unchanged(world, contact)) noteOutcome(world, window, *window.work, contact.first, contact.second);
 }
 
-// A ball that was in an island, but has not been hit, was thought to have met someone: what comes after that has not been looked for.
+// A ball that was in an island, but has not been hit, was thought to have met another: what comes after that is not predicted.
 void predictUnhit(WorldWithWindows& world, const WorkerWindow& window, const IslandWork& list)
 {
   std::vector<std::uint32_t>& unhit = window.work->deflected;

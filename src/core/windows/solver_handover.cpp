@@ -11,11 +11,11 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kLongestStep = 2e-3;       // of the solver, unless the scene's dt is shorter [s]
-constexpr float kFreeFor = 0.02f;           // without touching another ball, before a ball goes back [s]
+constexpr double kLongestStep = 2e-3;       // above 2.5 ms deep heaps do not fall asleep, see docs/crowds.md [s]
+constexpr float kFreeFor = 0.02f;           // without a contact, ten steps: else a ball would go to and fro [s]
 constexpr std::uint32_t kReleaseEvery = 8;  // steps: a ball that leaves makes the neighbours of all others void
 constexpr double kFreeRoom = 0.25;          // and so much room to other balls, in radii
-constexpr double kNear = 5e-4;              // room to a ball of the solver that is no room [m]
+constexpr double kNear = 5e-4;              // room that is none: overlaps in the solver, and what a step may add [m]
 
 double stepOf(const WorldWithWindows& world)
 {

@@ -1,6 +1,6 @@
-// The hand-off of balls between the exact method and the contact solver: events that follow each other without end are stepped over.
+// The hand-off of balls from the exact method to the contact solver and back: events without end are stepped over.
 //
-// A ball that meets others too often, in contacts that lose speed, goes to the solver; so does one that may meet a ball of the solver
+// A ball that meets others too often, in contacts that lose speed, goes to the solver; so does one that may meet a ball there
 // within a window, at the start of the window. A ball that has touched no other for a while and has none near goes back. A
 // scene in which no ball is handed off is not changed by a bit. The rule and what it costs: docs/crowds.md.
 #pragma once
@@ -21,7 +21,7 @@ double endOfWindow(const WorldWithWindows& world, double start, double end);
 /// Balls that may meet a ball of the solver in this window go to it.
 void handNeighboursToSolver(WorldWithWindows& world, double start, double end);
 
-/// Steps the solver through the window, gives back balls that touch none any more, and takes in those that have met others too often.
+/// Steps the solver through the window, gives back balls that touch no other, and takes in those that meet others too often.
 /// @param smooth_until  the motions of all paddles are smooth until then [s]
 void moveSolver(WorldWithWindows& world, double start, double end, double smooth_until);
 

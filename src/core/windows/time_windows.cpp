@@ -14,7 +14,7 @@ namespace ping_pong
 namespace
 {
 constexpr double kTooManySearches = 4.0;  // of pairs, by ball: a window that needs more is given up
-constexpr double kWindowsAhead = 1.5;     // that are worth a lookahead
+constexpr double kWindowsAhead = 1.5;     // that are worth a lookahead: below, its lists cost more than a grid
 
 // A look at two boxes that overlap costs an eighth of a search.
 double pairSearches(const IslandRecords& islands)

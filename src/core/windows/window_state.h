@@ -38,7 +38,7 @@ struct alignas(128) IslandWork : Records
     double until;           ///< [s]
     std::uint32_t earlier;  ///< the ball's piece before, or IslandRecords::kNoEntry
     std::uint16_t count;    ///< pieces of the ball so far
-    bool parabola;          ///< else the path is of another type, and not known here
+    bool parabola;          ///< else the path is of another form, and not known here
   };
 
   /// A ball to which something happens in this window.
