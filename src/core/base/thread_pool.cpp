@@ -84,7 +84,8 @@ void Workers::live(std::size_t worker)
 
 bool Workers::allDone() const
 {
-  return std::all_of(slots_.begin() + 1, slots_.end(), [](const WorkerSlot& slot) { return slot.state == State::Idle; });
+  return std::all_of(slots_.begin() + 1, slots_.end(),
+                     [](const WorkerSlot& slot) { return slot.state == State::Idle; });
 }
 
 // A worker that has not come to the job when there is nothing left to do is not waited for.

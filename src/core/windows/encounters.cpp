@@ -127,7 +127,8 @@ void WindowLog::leavesPath(std::size_t i, double t)
   std::uint16_t count = 1;
   if (last != IslandRecords::kNoEntry)
   {
-    Piece& before = work.pieces[IslandRecords::indexOf(last)];  // the worker that goes on with a ball has logged its flight
+    Piece& before =
+        work.pieces[IslandRecords::indexOf(last)];  // the worker that goes on with a ball has logged its flight
     if (asLittleIsKnown(before, ball.path) || before.count == kMostPieces) return forgetPath(before, t);
     count = static_cast<std::uint16_t>(before.count + 1);
   }
