@@ -9,12 +9,12 @@ add_executable(${PROJECT_NAME}_crowd EXCLUDE_FROM_ALL
   bench/crowd/core_distance.cpp
   bench/crowd/processors.cpp
   bench/crowd/tray_scene.cpp
-  bench/engines.cpp
-  bench/our_engine.cpp
-  bench/results_file.cpp
+  bench/engines/engines.cpp
+  bench/engines/our_engine.cpp
+  bench/chart/results_file.cpp
 )
 set_target_properties(${PROJECT_NAME}_crowd PROPERTIES OUTPUT_NAME crowd)
-target_include_directories(${PROJECT_NAME}_crowd PRIVATE bench test/core src/core)
+target_include_directories(${PROJECT_NAME}_crowd PRIVATE . bench src/core)  # testing/, bench, rooms
 target_link_libraries(${PROJECT_NAME}_crowd PRIVATE ${PROJECT_NAME}_command_line ${PROJECT_NAME}_options)
 target_compile_definitions(${PROJECT_NAME}_crowd PRIVATE SCENES_DIR="${CMAKE_CURRENT_SOURCE_DIR}/config/scenes")
 if(BENCH_PEERS)

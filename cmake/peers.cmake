@@ -45,6 +45,7 @@ add_library(${PROJECT_NAME}_peers STATIC
 target_link_libraries(${PROJECT_NAME}_peers
   PUBLIC ${PROJECT_NAME}_core
   PRIVATE ${PROJECT_NAME}_options ${peer_targets} ${MUJOCO_LIBRARY})
+target_include_directories(${PROJECT_NAME}_peers PUBLIC bench src/core)
 target_include_directories(${PROJECT_NAME}_peers SYSTEM PRIVATE ${MUJOCO_INCLUDE_DIR})
 
 add_executable(${PROJECT_NAME}_peers_check bench/peers/check.cpp)

@@ -24,16 +24,20 @@ add_message_files(FILES
   PaddleCommand.msg
   PaddleState.msg
   PaddleStates.msg
+  Score.msg
   SimStatus.msg
+  UmpireCall.msg
 )
 add_service_files(FILES
   DeleteBall.srv
   Launch.srv
   LoadScene.srv
+  NewMatch.srv
   SetBallState.srv
   SetBodyPose.srv
   SpawnBall.srv
   Step.srv
+  Toss.srv
 )
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 

@@ -14,7 +14,7 @@ function(add_ros_test name)
     NODE="$<TARGET_FILE:${PROJECT_NAME}_node>"
     TELEOP="$<TARGET_FILE:${PROJECT_NAME}_teleop>"
     VIEW="${CMAKE_CURRENT_SOURCE_DIR}/config/view.rviz")
-  add_dependencies(${target} ${PROJECT_NAME}_node ${PROJECT_NAME}_teleop)
+  add_dependencies(${target} ${PROJECT_NAME}_node ${PROJECT_NAME}_teleop ${PROJECT_NAME}_umpire ${PROJECT_NAME}_player)
 endfunction()
 
 foreach(name
@@ -25,11 +25,13 @@ foreach(name
     examples
     flat_out
     latency
+    match
     launch
     feed
     parameters
     real_time
     refusals
+    repeat
     scene_switching
     services
     stale_command
@@ -40,7 +42,7 @@ endforeach()
 
 # In a real RViz on a screen in memory.
 if(TARGET ${PROJECT_NAME}_rviz)
-  foreach(name keys dragging light)
+  foreach(name keys dragging light play_tool)
     add_ros_test(${name})
     add_dependencies(${PROJECT_NAME}_test_ros_${name} ${PROJECT_NAME}_rviz ${PROJECT_NAME}_handles)
   endforeach()

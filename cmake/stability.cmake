@@ -25,7 +25,7 @@ add_library(${PROJECT_NAME}_stability STATIC EXCLUDE_FROM_ALL
   bench/stability/random_report.cpp
   bench/stability/watched.cpp
 )
-target_include_directories(${PROJECT_NAME}_stability PUBLIC bench/stability test/core)
+target_include_directories(${PROJECT_NAME}_stability PUBLIC . bench src/core)  # testing/, bench, rooms
 target_link_libraries(${PROJECT_NAME}_stability PUBLIC ${PROJECT_NAME}_core PRIVATE ${PROJECT_NAME}_options)
 
 add_executable(${PROJECT_NAME}_stability_map EXCLUDE_FROM_ALL

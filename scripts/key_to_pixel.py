@@ -4,7 +4,7 @@ import statistics
 import sys
 import time
 
-X, Y, WIDTH, HEIGHT = 290, 380, 70, 110  # of the paddle at rest in the standard view
+X, Y, WIDTH, HEIGHT = 290, 380, 70, 110  # of the paddle at rest in the view Corner
 PATIENCE = 20.0  # [s]
 KEYS = 'sdwa'  # in turn: what comes towards the viewer shows later than what goes sideways
 ALL_PLANES, Z_PIXMAP = ctypes.c_ulong(-1), 2

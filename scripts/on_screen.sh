@@ -1,7 +1,7 @@
 # Sourced by the commands that run a scene in RViz on a screen in memory. They set `root` and `name` before.
 #
 #   open_screen [WIDTHxHEIGHT]    the environment, something built, and a screen: sets DISPLAY
-#   open_scene ARGUMENTS ...      roslaunch of sim.launch, until the scene is drawn: sets `launch`, its process
+#   open_scene ARGUMENTS ...      roslaunch of sim.launch, or of `launch_file` if set, until the scene is drawn: sets `launch`, its process
 #   close_scene                   ends it
 #   wait_for WHAT COMMAND ...     until the command succeeds
 #   fail TEXT                     ends with the launch's last words
@@ -76,7 +76,7 @@ open_scene() {
   export ROS_MASTER_URI="http://localhost:$port"
   # Ctrl-C must reach roslaunch though it runs in the background, hence its own process group.
   set -m
-  roslaunch -p "$port" ping_pong_sim sim.launch rviz:=true "$@" > "$work/launch.log" 2>&1 &
+  roslaunch -p "$port" ping_pong_sim "${launch_file:-sim.launch}" rviz:=true "$@" > "$work/launch.log" 2>&1 &
   launch=$!
   set +m
   wait_for "window of RViz" window_there

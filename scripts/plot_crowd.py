@@ -260,7 +260,7 @@ def write_page(about, rows, tray, long, docs):
 
 <!-- Written by scripts/crowd from the output of `crowd`. Change scripts/plot_crowd.py, not this page. -->
 
-The scenes `crowd`, `gas` and `pour` hold 1000, 1000 and 5000 balls, or as many as one asks for:
+The scenes `crowd`, `gas` and `pour` hold 1000 balls each, or as many as one asks for:
 
 ```
 scripts/play scene:=crowd balls:=3000 seed:=2

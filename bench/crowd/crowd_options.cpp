@@ -1,6 +1,6 @@
 #include "crowd_options.h"
 
-#include "command_line.h"
+#include "apps/command_line.h"
 
 namespace ping_pong::bench
 {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "../engine.h"
 #include "crowd_scene.h"
+#include "engines/engine.h"
 
 namespace ping_pong::bench
 {

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "../results_file.h"
-#include "command_line.h"
+#include "apps/command_line.h"
+#include "apps/progress.h"
+#include "chart/results_file.h"
 #include "core_distance.h"
 #include "crowd_options.h"
 #include "crowd_run.h"
-#include "progress.h"
 #include "quiet_time.h"
 
 namespace ping_pong::bench

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../../src/core/base/random.h"
+#include "base/random.h"
 
 namespace ping_pong::bench
 {

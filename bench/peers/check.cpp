@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "../../src/core/scene/text_input.h"
-#include "command_line.h"
+#include "apps/command_line.h"
 #include "peers.h"
 #include "ping_pong_sim/world.h"
+#include "scene/text_input.h"
 
 namespace ping_pong::bench
 {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "../engine.h"
+#include "engines/engine.h"
 
 namespace ping_pong::bench
 {

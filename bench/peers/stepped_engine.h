@@ -1,7 +1,7 @@
 // What all peers share: the scene, the clock, the forces of flight and the motion of driven bodies.
 #pragma once
 
-#include "../engine.h"
+#include "engines/engine.h"
 #include "ping_pong_sim/motion.h"
 
 namespace ping_pong::bench

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "../../src/core/base/random.h"
+#include "base/random.h"
 
 namespace ping_pong::stability
 {

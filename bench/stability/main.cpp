@@ -3,10 +3,10 @@
 #include <fstream>
 #include <iostream>
 
+#include "apps/command_line.h"
+#include "apps/progress.h"
 #include "cases.h"
-#include "command_line.h"
 #include "options.h"
-#include "progress.h"
 #include "situations.h"
 
 namespace ping_pong::stability

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "command_line.h"
+#include "apps/command_line.h"
 
 namespace ping_pong::stability
 {

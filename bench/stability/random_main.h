@@ -7,8 +7,8 @@
 #include <string>
 #include <thread>
 
+#include "apps/progress.h"
 #include "ping_pong_sim/scene.h"
-#include "progress.h"
 #include "random_report.h"
 
 namespace ping_pong::stability

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "launch.h"
-#include "scene_builder.h"
+#include "testing/scene_builder.h"
 #include "touch.h"
 
 namespace ping_pong::stability

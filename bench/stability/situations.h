@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scene_builder.h"
+#include "testing/scene_builder.h"
 
 namespace ping_pong::stability
 {

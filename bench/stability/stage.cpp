@@ -1,7 +1,7 @@
 #include "stage.h"
 
-#include "scene_builder.h"
 #include "stages.h"
+#include "testing/scene_builder.h"
 
 namespace ping_pong::stability
 {

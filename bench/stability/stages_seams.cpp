@@ -1,5 +1,5 @@
-#include "scene_builder.h"
 #include "stages.h"
+#include "testing/scene_builder.h"
 
 namespace ping_pong::stability
 {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "../core/scene/text_input.h"
+#include "scene/text_input.h"
 
 namespace ping_pong
 {

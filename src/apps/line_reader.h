@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "../core/scene/text_input.h"
+#include "scene/text_input.h"
 
 namespace ping_pong
 {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "../core/scene/text_input.h"
+#include "scene/text_input.h"
 
 namespace ping_pong
 {

@@ -1,12 +1,13 @@
-// The keys in RViz. The mouse still moves the camera and the handles while this tool is active.
+// The keys in RViz. The mouse still moves the camera while this tool is active; for the handles there is RViz's own tool Interact.
 #pragma once
 
-#include <rviz/default_plugin/tools/interaction_tool.h>
+#include <rviz/default_plugin/tools/move_tool.h>
 
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "hands/operator.h"
+#include "teleop/operator.h"
 
 namespace rviz
 {
@@ -17,7 +18,7 @@ class StringProperty;
 
 namespace ping_pong_sim
 {
-class KeyTool : public rviz::InteractionTool
+class KeyTool : public rviz::MoveTool
 {
   Q_OBJECT
 
@@ -34,14 +35,20 @@ public:
   /// Releases, and the loss of the keyboard; RViz does not pass them on.
   bool eventFilter(QObject* object, QEvent* event) override;
 
-private Q_SLOTS:
+protected Q_SLOTS:
   void updateParams();
+
+protected:
+  virtual void fillParams(OperatorParams& params) const;
+  Operator& hands() { return *operator_; }
 
 private:
   void switchView(int number);
+  void switchTool(int number);
   void lookAtView();
 
-  std::unique_ptr<Operator> operator_;
+  std::shared_ptr<Operator> operator_;  ///< one for all tools of the window: there is one person at it
+  bool active_ = false;
   rviz::BoolProperty* world_axes_;
   rviz::FloatProperty* acceleration_;
   rviz::FloatProperty* angular_acceleration_;
@@ -49,6 +56,8 @@ private:
   rviz::FloatProperty* speed_;
   rviz::FloatProperty* angular_speed_;
   rviz::StringProperty* shot_;
+  rviz::BoolProperty* reach_;
+  std::vector<rviz::FloatProperty*> reach_sides_;  ///< behind, over, side, below, above
   Eigen::Vector3d right_W_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d up_W_ = Eigen::Vector3d::Zero();
 };

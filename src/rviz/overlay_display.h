@@ -1,16 +1,16 @@
-// On-screen text: how the simulation does, what is selected and where, what happened last.
+// On-screen text: how the simulation does, what is selected and where, what happened last; the score of a match; the next useful key.
 #pragma once
 
-#include <ros/subscriber.h>
 #include <rviz/display.h>
 
-#include <map>
+#include <QColor>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "overlay_text.h"
+#include "overlay_topics.h"
 
 namespace rviz
 {
@@ -22,7 +22,7 @@ class RosTopicProperty;
 
 namespace ping_pong_sim
 {
-class TextPanel;
+class ImagePanel;
 
 class OverlayDisplay : public rviz::Display
 {
@@ -45,12 +45,11 @@ private Q_SLOTS:
   void redraw();
 
 private:
-  struct Heard
-  {
-    HandsState state;
-    double at;  ///< wall time [s]
-  };
-  std::vector<OperatorLine> operators(double now);
+  void drawText();
+  void drawScore();
+  void drawHint();
+  bool ballInPlay() const;
+  QColor background() const;
   std::optional<Eigen::Isometry3d> poseOf(const std::string& frame) const;
 
   rviz::RosTopicProperty* status_topic_;
@@ -59,12 +58,13 @@ private:
   rviz::IntProperty* left_;
   rviz::IntProperty* top_;
   rviz::FloatProperty* background_;
-  ros::Subscriber status_subscriber_;
-  ros::Subscriber hands_subscriber_;
-  std::optional<SimStatus> status_;
-  double status_at_ = 0.0;  ///< wall time [s]
-  std::map<std::string, Heard> heard_;
-  std::vector<TextLine> drawn_;
-  std::unique_ptr<TextPanel> panel_;
+  rviz::IntProperty* score_size_;
+  OverlayTopics topics_;
+  std::vector<TextLine> text_drawn_;
+  std::string score_drawn_;
+  std::string hint_drawn_;
+  std::unique_ptr<ImagePanel> text_;
+  std::unique_ptr<ImagePanel> score_;
+  std::unique_ptr<ImagePanel> hint_;
 };
 }  // namespace ping_pong_sim

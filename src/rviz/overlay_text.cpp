@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "hands/key_table.h"
+#include "teleop/key_table.h"
 
 namespace ping_pong_sim
 {
@@ -44,30 +44,38 @@ std::string poseText(const Eigen::Isometry3d& pose)
                 pitch + 0.0, yaw + 0.0);
 }
 
-void appendStatus(const SimStatus& status, std::vector<TextLine>& lines)
+std::string timeText(const SimStatus& status)
+{
+  std::string text = format("time %.2f s", status.time);
+  if (!status.paused) text += format("   real-time factor %.2f", status.real_time_factor);
+  return text + format("   balls %u", status.balls);
+}
+
+void appendStatus(const SimStatus& status, bool in_match, std::vector<TextLine>& lines)
 {
   lines.push_back({Tone::Title, status.scene + (status.paused ? "   paused" : "   running")});
-  std::string time = format("time %.2f s", status.time);
-  if (!status.paused) time += format("   real-time factor %.2f", status.real_time_factor);
-  lines.push_back({Tone::Normal, time + format("   balls %u", status.balls)});
-  if (status.has_contact)
+  if (in_match)  // short: the score stands beside it
+    lines.push_back({Tone::Normal, format("time %.1f s   x %.2f", status.time, status.real_time_factor)});
+  else
+    lines.push_back({Tone::Normal, timeText(status)});
+  if (status.has_contact && !in_match)
   {
     const Contact& c = status.last_contact;
     lines.push_back({Tone::Normal, format("ball_%u met %s: %.2f -> %.2f m/s, spin %.1f -> %.1f rev/s", c.ball,
                                           c.other.c_str(), norm(c.velocity_before), norm(c.velocity_after),
                                           turnsPerSecond(c.spin_before), turnsPerSecond(c.spin_after))});
   }
-  if (!status.paddles.empty())
+  if (!status.paddles.empty() && !in_match)
     lines.push_back({Tone::Normal, format("rally %u   best %u", status.rally, status.best_rally)});
   if (status.rejected > 0) lines.push_back({Tone::Faint, "last refusal: " + status.rejected_reason});
 }
 
-void appendOperator(const OperatorLine& line, bool named, std::vector<TextLine>& lines)
+void appendOperator(const OperatorLine& line, bool named, bool in_match, std::vector<TextLine>& lines)
 {
   const HandsState& state = line.state;
   std::string text = named ? state.operator_name + ": " : "";
   text += state.selected.empty() ? "nothing selected" : state.selected;
-  if (line.pose) text += "   " + poseText(*line.pose);
+  if (line.pose && !in_match) text += "   " + poseText(*line.pose);
   lines.push_back({state.moving ? Tone::Title : Tone::Normal, text});
   if (!state.note.empty()) lines.push_back({Tone::Warning, state.note});
 }
@@ -88,17 +96,17 @@ void appendHelp(std::vector<TextLine>& lines)
 }
 }  // namespace
 
-std::vector<TextLine> overlayText(const SimStatus* status, const std::vector<OperatorLine>& operators)
+std::vector<TextLine> overlayText(const SimStatus* status, const std::vector<OperatorLine>& operators, bool in_match)
 {
   std::vector<TextLine> lines;
   if (status != nullptr)
-    appendStatus(*status, lines);
+    appendStatus(*status, in_match, lines);
   else
     lines.push_back({Tone::Warning, "no simulator: waiting for its status"});
   bool help = false;
   for (const OperatorLine& line : operators)
   {
-    appendOperator(line, operators.size() > 1, lines);
+    appendOperator(line, operators.size() > 1, in_match, lines);
     help = help || line.state.help;
   }
   if (help)

@@ -33,6 +33,7 @@ struct OperatorLine
   std::optional<Eigen::Isometry3d> pose;  ///< in the fixed frame
 };
 
-/// @param status  null: the simulator is silent
-std::vector<TextLine> overlayText(const SimStatus* status, const std::vector<OperatorLine>& operators);
+/// @param status    null: the simulator is silent
+/// @param in_match  the score board says what the rally is
+std::vector<TextLine> overlayText(const SimStatus* status, const std::vector<OperatorLine>& operators, bool in_match);
 }  // namespace ping_pong_sim

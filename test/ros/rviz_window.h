@@ -161,13 +161,34 @@ private:
   std::unique_ptr<Child> rviz_;
 };
 
+inline std::string viewCopy()
+{
+  return "/tmp/ping_pong_view." + std::to_string(getpid()) + ".rviz";
+}
+
+/// The saved view without a tool, so that the next one is active at the start.
+inline std::string viewWithout(const std::string& tool)
+{
+  std::ifstream view(VIEW);
+  std::ofstream copy(viewCopy());
+  for (std::string line; std::getline(view, line);)
+  {
+    if (line != "  - Class: " + tool) copy << line << "\n";
+  }
+  return viewCopy();
+}
+
 /// Tests in one window beside the simulator of the .test file: each begins with a running world at its start, seen by
-/// the player (F1), away being +x.
+/// the player (F1), away being +x. The tool Keys is active: the mouse moves no paddle.
 class InRviz : public testing::Test
 {
 protected:
-  static void SetUpTestSuite() { window_ = std::make_unique<RvizWindow>(VIEW); }
-  static void TearDownTestSuite() { window_.reset(); }
+  static void SetUpTestSuite() { window_ = std::make_unique<RvizWindow>(viewWithout("ping_pong_sim/Play")); }
+  static void TearDownTestSuite()
+  {
+    window_.reset();
+    std::remove(viewCopy().c_str());
+  }
   void SetUp() override
   {
     ASSERT_TRUE(window_->answers(hands_));

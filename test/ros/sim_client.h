@@ -7,9 +7,11 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <cstdlib>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -28,6 +30,13 @@ constexpr double kPatience = 10.0;  ///< deadline for what should happen at once
 inline double wallNow()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// More wants to run than there are processors: how long something takes says nothing then.
+inline bool machineIsBusy()
+{
+  double load = 0.0;
+  return getloadavg(&load, 1) == 1 && load > 2.0 * std::max(1u, std::thread::hardware_concurrency());
 }
 
 /// Polls, for what cannot be waited for.

@@ -21,6 +21,17 @@ constexpr double kFocusX = -0.2, kFocusZ = 0.7;
 class Dragging : public sim_test::InRviz
 {
 protected:
+  // Handles show while RViz's own tool is active, and only then.
+  void SetUp() override
+  {
+    InRviz::SetUp();
+    RvizWindow::type("i");
+  }
+  void TearDown() override
+  {
+    RvizWindow::type("k");
+    InRviz::TearDown();
+  }
   // Waits until its handle is there too.
   void putBody(const std::string& name, double x, double y)
   {

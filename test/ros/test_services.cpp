@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ping_pong_sim/DeleteBall.h"
+#include "ping_pong_sim/PaddleCommand.h"
 #include "ping_pong_sim/SetBallState.h"
 #include "ping_pong_sim/SetBodyPose.h"
 #include "ping_pong_sim/SpawnBall.h"
@@ -211,6 +212,22 @@ TEST_F(PausedWorld, StatusTellsTheLastContactAndTheRally)
   request.pose.position.z = 1.0;
   request.pose.orientation.w = 1.0;
   request.twist.linear.x = -2.0;  // onto the forehand
+  ASSERT_TRUE(sim_test::call<SetBallState>("set_ball_state", request).success);
+  step(0.2);
+  ASSERT_TRUE(status.waitFor([](const SimStatus& s) { return s.has_contact; }));
+  EXPECT_EQ(status.last().rally, 0u) << "nobody plays: the ball only came by a paddle that waits";
+
+  sim_test::reset();
+  ros::Publisher commands = nh_.advertise<PaddleCommand>("paddle/command", 1);
+  ASSERT_TRUE(sim_test::eventually([&] { return commands.getNumSubscribers() > 0; }));
+  PaddleCommand hold;
+  hold.pose.orientation.w = 1.0;
+  EXPECT_TRUE(sim_test::eventually(
+      [&]
+      {
+        commands.publish(hold);
+        return step(0.01).paddles.paddles.at(0).command_age >= 0.0;
+      }));
   ASSERT_TRUE(sim_test::call<SetBallState>("set_ball_state", request).success);
   step(0.2);
   ASSERT_TRUE(status.waitFor([](const SimStatus& s) { return s.rally == 1 && s.has_contact; }));

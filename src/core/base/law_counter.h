@@ -40,7 +40,7 @@ enum class Law
   Count
 };
 
-inline Law meeting(ShapeKind kind)
+inline Law meetingLaw(ShapeKind kind)
 {
   return static_cast<Law>(static_cast<int>(Law::MeetBox) + static_cast<int>(kind));
 }

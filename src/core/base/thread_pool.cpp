@@ -7,7 +7,7 @@ namespace ping_pong
 namespace
 {
 // Loops follow each other within microseconds, less than it takes to wake a sleeping thread: one looks so often before it
-// sleeps. Most looks are as quick as they can be; in between, whoever has something to do on this processor goes first.
+// sleeps. Most looks are as quick as they can be; in between, others that have something to do on this processor go first.
 constexpr int kLooks = 50;
 constexpr int kQuickLooks = 256;
 
@@ -38,13 +38,13 @@ void Workers::start(std::size_t count)
 {
   if (count == this->count()) return;
   stop();
-  desks_ = std::vector<Desk>(count);
+  slots_ = std::vector<WorkerSlot>(count);
   for (std::size_t worker = 1; worker < count; ++worker) threads_.emplace_back([this, worker] { live(worker); });
 }
 
 void Workers::stop()
 {
-  for (Desk& desk : desks_) desk.state = State::Stop;
+  for (WorkerSlot& slot : slots_) slot.state = State::Stop;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
   }
@@ -54,28 +54,28 @@ void Workers::stop()
 }
 
 // A look by an exchange leaves the line with this processor, so that a job comes over with all that is in it.
-bool Workers::take(Desk& desk)
+bool Workers::take(WorkerSlot& slot)
 {
   State offered = State::Offered;
-  return desk.state.compare_exchange_strong(offered, State::Taken);
+  return slot.state.compare_exchange_strong(offered, State::Taken);
 }
 
 void Workers::live(std::size_t worker)
 {
-  Desk& desk = desks_[worker];
-  while (desk.state != State::Stop)
+  WorkerSlot& slot = slots_[worker];
+  while (slot.state != State::Stop)
   {
-    if (!comesSoon([&desk] { return take(desk); }))
+    if (!comesSoon([&slot] { return take(slot); }))
     {
       std::unique_lock<std::mutex> lock(mutex_);
       ++sleeping_;
-      begun_.wait(lock, [&desk] { return desk.state != State::Idle; });
+      begun_.wait(lock, [&slot] { return slot.state != State::Idle; });
       --sleeping_;
       continue;
     }
-    const Job job = desk.job;  // others take from its line
+    const Job job = slot.job;  // others take from its line
     workOn(job, worker);
-    desk.state = State::Idle;
+    slot.state = State::Idle;
     if (!caller_sleeps_) continue;
     const std::lock_guard<std::mutex> lock(mutex_);
     ended_.notify_one();
@@ -84,18 +84,19 @@ void Workers::live(std::size_t worker)
 
 bool Workers::allDone() const
 {
-  return std::all_of(desks_.begin() + 1, desks_.end(), [](const Desk& desk) { return desk.state == State::Idle; });
+  return std::all_of(slots_.begin() + 1, slots_.end(),
+                     [](const WorkerSlot& slot) { return slot.state == State::Idle; });
 }
 
-// Whoever has not come to the job when there is nothing left to do is not waited for.
+// A worker that has not come to the job when there is nothing left to do is not waited for.
 void Workers::share(const Job& job)
 {
-  for (std::size_t k = 0; k < desks_.size(); ++k)
+  for (std::size_t k = 0; k < slots_.size(); ++k)
   {
-    desks_[k].job = job;
-    desks_[k].next = k == 0 ? 0 : job.end(k - 1, desks_.size());
+    slots_[k].job = job;
+    slots_[k].next = k == 0 ? 0 : job.end(k - 1, slots_.size());
   }
-  for (std::size_t k = 1; k < desks_.size(); ++k) desks_[k].state = State::Offered;
+  for (std::size_t k = 1; k < slots_.size(); ++k) slots_[k].state = State::Offered;
   if (sleeping_ > 0)
   {
     {
@@ -104,10 +105,10 @@ void Workers::share(const Job& job)
     begun_.notify_all();
   }
   workOn(job, 0);
-  for (std::size_t k = 1; k < desks_.size(); ++k)
+  for (std::size_t k = 1; k < slots_.size(); ++k)
   {
     State offered = State::Offered;
-    desks_[k].state.compare_exchange_strong(offered, State::Idle);
+    slots_[k].state.compare_exchange_strong(offered, State::Idle);
   }
   const auto done = [this] { return allDone(); };
   if (comesSoon(done)) return;
@@ -119,10 +120,10 @@ void Workers::share(const Job& job)
 
 void Workers::workOn(const Job& job, std::size_t worker)
 {
-  for (std::size_t k = 0; k < desks_.size(); ++k)
+  for (std::size_t k = 0; k < slots_.size(); ++k)
   {
-    const std::size_t owner = (worker + k) % desks_.size(), end = job.end(owner, desks_.size());
-    std::atomic<std::size_t>& next = desks_[owner].next;
+    const std::size_t owner = (worker + k) % slots_.size(), end = job.end(owner, slots_.size());
+    std::atomic<std::size_t>& next = slots_[owner].next;
     for (std::size_t begin = next.fetch_add(job.grain); begin < end; begin = next.fetch_add(job.grain))
       job.call(job.action, begin, std::min(begin + job.grain, end), worker);
   }

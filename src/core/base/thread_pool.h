@@ -84,7 +84,7 @@ private:
   };
 
   /// Of a worker. A line of the cache takes over to it what it needs to begin, and back that it is done.
-  struct alignas(64) Desk
+  struct alignas(64) WorkerSlot
   {
     std::atomic<State> state{State::Idle};
     std::atomic<std::size_t> next{0};  ///< first index of its share that nobody has taken
@@ -93,13 +93,13 @@ private:
 
   void stop();
   void live(std::size_t worker);
-  static bool take(Desk& desk);
+  static bool take(WorkerSlot& slot);
   void share(const Job& job);
   void workOn(const Job& job, std::size_t worker);
   bool allDone() const;
 
   std::vector<std::thread> threads_;
-  std::vector<Desk> desks_;
+  std::vector<WorkerSlot> slots_;
   std::mutex mutex_;
   std::condition_variable begun_, ended_;
   std::atomic<std::size_t> sleeping_{0};    // threads that have to be woken

@@ -48,7 +48,7 @@ void BroadPhase::reserve(std::size_t boxes, std::size_t workers)
   takeMemory(everywhere_, boxes);
 }
 
-// Cells are as long as the longest box in one, or longer: until there are not too many, and a corner has room for all.
+// Cells are as long as the longest box in one, or longer: until there are not too many, and a packed point has room for all.
 void BroadPhase::layOut(const Sums& sums, std::size_t count)
 {
   const double n = std::max(sums.n, 1.0), boxes = static_cast<double>(count);
@@ -80,7 +80,7 @@ void BroadPhase::layOut(const Sums& sums, std::size_t count)
     axes_[i].origin = origin[i] - size[i];
     axes_[i].units_per_metre = 1.0 / size[i];
   }
-  layOutCorners(cell_bits);
+  layOutPackedPoints(cell_bits);
   if (count != count_)
     takePlaces(count);
   else if (shared_)
@@ -102,7 +102,7 @@ void BroadPhase::takePlaces(std::size_t count)
 }
 
 // What bits are left after the numbers of cells are for units in them.
-void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
+void BroadPhase::layOutPackedPoints(const std::array<int, 3>& cell_bits)
 {
   const int left = kPlaceBits - cell_bits[0] - cell_bits[1] - cell_bits[2];
   int shift = 0;
@@ -117,10 +117,10 @@ void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
     axis.first = units;
     axis.last = units * (axis.cells - 1) - 1.0;
     const int bits = cell_bits[i] + axis.unit_bits;
-    axis.mask = (Corner{1} << bits) - 1;
+    axis.mask = (PackedPoint{1} << bits) - 1;
     axis.cell_bits = axis.mask >> axis.unit_bits << axis.unit_bits << shift;
-    borrows_ |= Corner{1} << (shift + bits);
-    longest_ |= Corner{1} << (shift + axis.unit_bits);
+    borrows_ |= PackedPoint{1} << (shift + bits);
+    longest_ |= PackedPoint{1} << (shift + axis.unit_bits);
     shift += bits + 1;
   }
   slice_shift_ = axes_[0].shift + axes_[0].unit_bits - kSliceBits;
@@ -135,10 +135,10 @@ void BroadPhase::layOutCorners(const std::array<int, 3>& cell_bits)
 }
 
 // Into those of this part, which is one of its parts.
-void BroadPhase::addToLists(std::size_t part, const Extent& extent, std::uint32_t index)
+void BroadPhase::addToLists(std::size_t part, const PackedAabb& packed, std::uint32_t index)
 {
-  const Cell first = cellAt(extent.low()), last = cellAt(extent.high);
-  if (overManyCells(first, last)) return everywhere_.push_back({extent, index, kNoLink});
+  const Cell first = cellAt(packed.low()), last = cellAt(packed.high);
+  if (overManyCells(first, last)) return everywhere_.push_back({packed, index, kNoLink});
   std::vector<Listed>& links = links_[part];
   const std::size_t begin = firstCell(part), end = firstCell(part + 1);
   eachCell(first, last,
@@ -146,7 +146,7 @@ void BroadPhase::addToLists(std::size_t part, const Extent& extent, std::uint32_
            {
              const std::size_t its = cell(x, y, z);
              if (its < begin || its >= end) return;
-             links.push_back({extent, index, last_link_[its]});
+             links.push_back({packed, index, last_link_[its]});
              last_link_[its] = static_cast<std::uint32_t>(part << kLinkBits | (links.size() - 1));
            });
 }

@@ -15,8 +15,8 @@
 
 namespace ping_pong
 {
-/// Corners are rounded to small parts of a cell, so that boxes that nearly overlap may be taken to do so, and beyond the grid
-/// those that do not; whoever asks looks at them anyway. What it answers is the same for any number of workers.
+/// Points are rounded to small parts of a cell, so that boxes that nearly overlap may be taken to do so, and beyond the grid
+/// those that do not; the caller looks at them anyway. What it answers is the same for any number of workers.
 class BroadPhase
 {
 public:
@@ -45,7 +45,7 @@ public:
   /// Those that are not empty, in the order of their cells.
   std::size_t boxes() const { return boxes_; }
   /// Calls ahead(a, b) with every two boxes that overlap, in no order, and some pairs later action(pairs, how_many), for some
-  /// at a time: what ahead() fetches has come by then. Of all pairs that share of which [begin, end) is of boxes(): shares that
+  /// at a time: what ahead() fetches has come by then. Of all pairs that part of which [begin, end) is of boxes(): parts that
   /// cover boxes() once give each pair once.
   template <class Ahead, class Action>
   void eachPairs(std::size_t begin, std::size_t end, const Ahead& ahead, const Action& action) const;
@@ -57,7 +57,7 @@ public:
   using Additions = std::vector<std::vector<Addition>>;
   /// By any worker, for a list of its own.
   template <class AnyBox>
-  void announce(std::uint32_t index, const AnyBox& box, Additions& list) const;
+  void deferInsertion(std::uint32_t index, const AnyBox& box, Additions& list) const;
   /// Those of lists with this member are there, too, until the boxes are sorted again; the lists are empty then.
   template <class List>
   void add(std::vector<List>& lists, Additions List::*member, Workers& workers);
@@ -68,7 +68,7 @@ public:
 private:
   static constexpr std::uint32_t kNoLink = ~0u;
   static constexpr std::uint32_t kLinkBits = 26;  ///< of an entry in the list of a part; the part is above them
-  static constexpr int kPlaceBits = 29;           ///< of the three places in a corner,
+  static constexpr int kPlaceBits = 29;           ///< of the three places in a packed point,
   static constexpr int kLeastUnitBits = 2;        ///< of which along each axis at least so many are of units in a cell
   static constexpr std::size_t kFirst = 2 * kLanes;  ///< entries of a range that are compared in any case
   static constexpr int kSliceBits = 1;
@@ -79,37 +79,37 @@ private:
 
   /// A place in units from the origin of the grid: x, y and z in one number, each below a bit that is zero. What is beyond
   /// the grid is on its border.
-  using Corner = std::uint32_t;
-  using Corners = Corner __attribute__((vector_size(16)));
+  using PackedPoint = std::uint32_t;
+  using PackedPoints = PackedPoint __attribute__((vector_size(16)));
 
-  /// Of a grid along one axis, and of its places in a corner. Its first and its last cell are empty.
+  /// Of a grid along one axis, and of its places in a packed point. Its first and its last cell are empty.
   struct Axis
   {
     double origin = 0.0, units_per_metre = 1.0;
     double first = 0.0, last = 0.0;  ///< least and greatest place [units]
     int cells = 3;
-    int shift = 0;         ///< of a place in a corner
-    int unit_bits = 0;     ///< its lowest ones: units in a cell
-    Corner cell_bits = 0;  ///< the others, where they are in a corner
-    Corner mask = 0;       ///< of a place, once it is shifted down
+    int shift = 0;              ///< of a place in a packed point
+    int unit_bits = 0;          ///< its lowest ones: units in a cell
+    PackedPoint cell_bits = 0;  ///< the others, where they are in a packed point
+    PackedPoint mask = 0;       ///< of a place, once it is shifted down
 
-    int cellOf(Corner corner) const { return static_cast<int>((corner >> shift & mask) >> unit_bits); }
+    int cellOf(PackedPoint point) const { return static_cast<int>((point >> shift & mask) >> unit_bits); }
   };
   /// Of a box: less its low corner, so that sums are differences, and its high corner with all of borrows_.
-  struct Extent
+  struct PackedAabb
   {
-    Corner minus_low, high;
+    PackedPoint minus_low, high;
 
-    Corner low() const { return 0u - minus_low; }
+    PackedPoint low() const { return 0u - minus_low; }
   };
-  static_assert(sizeof(Extent) == 8, "two of them in a vector");
-  /// An extent that many are compared with.
-  struct Question
+  static_assert(sizeof(PackedAabb) == 8, "two of them in a vector");
+  /// A box that many are compared with.
+  struct Query
   {
-    Extent extent;
-    Corners both;  ///< what to add to two extents
+    PackedAabb packed;
+    PackedPoints both;  ///< what to add to two boxes
 
-    explicit Question(const Extent& its) : extent(its), both{its.high, its.minus_low, its.high, its.minus_low} {}
+    explicit Query(const PackedAabb& its) : packed(its), both{its.high, its.minus_low, its.high, its.minus_low} {}
   };
   /// Some entries.
   struct Range
@@ -118,7 +118,7 @@ private:
   };
   struct Listed
   {
-    Extent extent;
+    PackedAabb packed;
     std::uint32_t index;
     std::uint32_t next;  ///< of the same cell
   };
@@ -142,25 +142,25 @@ private:
   };
 
   void layOut(const Sums& sums, std::size_t count);
-  void layOutCorners(const std::array<int, 3>& cell_bits);
+  void layOutPackedPoints(const std::array<int, 3>& cell_bits);
   void takePlaces(std::size_t count);
   template <class AnyBox>
-  Corner cornerAt(const AnyBox& p) const;  ///< rounded down, high corners too: what overlaps still does
+  PackedPoint packPoint(const AnyBox& p) const;  ///< rounded down, high corners too: what overlaps still does
   template <class AnyBox>
-  Extent extentOf(const AnyBox& box) const;
-  bool fits(const Extent& extent) const;  ///< in a cell
+  PackedAabb pack(const AnyBox& box) const;
+  bool fits(const PackedAabb& packed) const;  ///< in a cell
   std::size_t cell(int x, int y, int z) const
   {
     return static_cast<std::size_t>(z) * layer_ + static_cast<std::size_t>(y) * row_ + static_cast<std::size_t>(x);
   }
-  Cell cellAt(Corner corner) const
+  Cell cellAt(PackedPoint point) const
   {
-    return {axes_[0].cellOf(corner), axes_[1].cellOf(corner), axes_[2].cellOf(corner)};
+    return {axes_[0].cellOf(point), axes_[1].cellOf(point), axes_[2].cellOf(point)};
   }
-  std::size_t sliceAlong(Corner corner) const { return corner >> slice_shift_ & slice_mask_; }  ///< of its row
-  std::size_t sliceOf(Corner corner) const
+  std::size_t sliceAlong(PackedPoint point) const { return point >> slice_shift_ & slice_mask_; }  ///< of its row
+  std::size_t sliceOf(PackedPoint point) const
   {
-    return kSlices * cell(0, axes_[1].cellOf(corner), axes_[2].cellOf(corner)) + sliceAlong(corner);
+    return kSlices * cell(0, axes_[1].cellOf(point), axes_[2].cellOf(point)) + sliceAlong(point);
   }
   /// Of a box that fits, how far it reaches beyond the slice of its lower corner: slices, and cells.
   struct Reach
@@ -168,18 +168,18 @@ private:
     std::size_t x;
     bool y, z;
   };
-  Reach reachOf(const Extent& extent) const
+  Reach reachOf(const PackedAabb& packed) const
   {
-    const Corner low = extent.low(), differ = low ^ extent.high;
-    return {sliceAlong(extent.high) - sliceAlong(low), (differ & axes_[1].cell_bits) != 0,
+    const PackedPoint low = packed.low(), differ = low ^ packed.high;
+    return {sliceAlong(packed.high) - sliceAlong(low), (differ & axes_[1].cell_bits) != 0,
             (differ & axes_[2].cell_bits) != 0};
   }
   /// All three subtractions at once: none borrows if no coordinate is less than the other.
-  bool overlap(const Extent& a, const Extent& b) const
+  bool overlap(const PackedAabb& a, const PackedAabb& b) const
   {
     return ((a.high + b.minus_low) & (b.high + a.minus_low) & borrows_) == borrows_;
   }
-  LaneMask overlaps(const Extent* entries, const Question& question) const;  ///< four of them
+  LaneMask overlaps(const PackedAabb* entries, const Query& query) const;  ///< four of them
   /// Of one row, those that a box may overlap whose lower corner is in this slice and which reaches so far; or none.
   Range inRow(std::size_t slice, std::size_t reach, bool any) const
   {
@@ -191,15 +191,15 @@ private:
 
   // Calling take(index) for each that overlaps:
   template <class Take>
-  void takeFrom(std::size_t begin, std::size_t end, const Question& question, const Take& take) const;
+  void takeFrom(std::size_t begin, std::size_t end, const Query& query, const Take& take) const;
   template <std::size_t count, class Take>
-  void takeFromRanges(const std::array<Range, count>& ranges, const Question& question, const Take& take) const;
+  void takeFromRanges(const std::array<Range, count>& ranges, const Query& query, const Take& take) const;
   template <class Take>
-  void takeAround(const Question& question, const Take& take) const;
+  void takeAround(const Query& query, const Take& take) const;
   template <class Take>
-  void takeFromCells(const Extent& extent, const Take& take) const;
+  void takeFromCells(const PackedAabb& packed, const Take& take) const;
   template <class Take>
-  void takeFromLists(const Extent& extent, const Take& take) const;
+  void takeFromLists(const PackedAabb& packed, const Take& take) const;
   /// Then it is in no list of a cell, but in the care of the first part.
   static bool overManyCells(const Cell& first, const Cell& last)
   {
@@ -208,8 +208,8 @@ private:
   }
   /// Calls action(part) for each part of the grid that has cells of this box, if it is in their lists.
   template <class Action>
-  void eachPartOf(const Extent& extent, const Action& action) const;
-  void addToLists(std::size_t part, const Extent& extent, std::uint32_t index);
+  void eachPartOf(const PackedAabb& packed, const Action& action) const;
+  void addToLists(std::size_t part, const PackedAabb& packed, std::uint32_t index);
   void noteBlock(std::size_t block);
   std::uint32_t middleOf(std::size_t block) const;
   std::size_t endOf(std::size_t block) const { return std::min((block + 1) * kBlock, count_); }
@@ -219,20 +219,20 @@ private:
   std::size_t firstCell(std::size_t part) const { return part < parts() ? first_[part] / kSlices : cells_; }
 
   std::array<Axis, 3> axes_;
-  Corner borrows_ = 0;                            ///< the bits between places
-  Corner longest_ = 0;                            ///< edges of a cell
+  PackedPoint borrows_ = 0;                       ///< the bits between places
+  PackedPoint longest_ = 0;                       ///< edges of a cell
   std::size_t row_ = 3, layer_ = 9, cells_ = 27;  ///< cells
   std::size_t slices_ = kSlices * 27;             ///< of all cells
-  int slice_shift_ = 0;                           ///< of a slice along x in a corner
+  int slice_shift_ = 0;                           ///< of a slice along x in a packed point
   std::size_t slice_mask_ = 0;
   std::size_t count_ = 0;             ///< of all boxes
   std::size_t boxes_ = 0;             ///< that are not empty
   std::size_t in_cells_ = 0;          ///< of these; those that are too long come after them
-  std::vector<Extent> placed_;        ///< by place
+  std::vector<PackedAabb> placed_;    ///< by place
   std::vector<std::uint32_t> range_;  ///< by place: its slice, slices_ if it is in none, or one more if it is empty
   std::vector<Block> blocks_;         ///< of places
   std::vector<std::uint32_t> start_;  ///< of each range in entries_
-  std::vector<Extent> entries_;       ///< by range; some more after them, to be read but not told
+  std::vector<PackedAabb> entries_;   ///< by range; some more after them, to be read but not told
   std::vector<std::uint32_t> index_;  ///< of each entry; some more after them
   std::vector<std::uint32_t> at_;     ///< index, by place; some more
   bool shared_ = false;               ///< places are those of the entries before; else those of the indices

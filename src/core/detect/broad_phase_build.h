@@ -7,7 +7,7 @@ namespace ping_pong
 {
 struct BroadPhase::Addition
 {
-  Extent extent;
+  PackedAabb packed;
   std::uint32_t index;
 };
 
@@ -71,28 +71,28 @@ void BroadPhase::putAll(Workers& workers, const Ahead& ahead, const Visit& visit
 }
 
 template <class AnyBox>
-BroadPhase::Corner BroadPhase::cornerAt(const AnyBox& p) const
+BroadPhase::PackedPoint BroadPhase::packPoint(const AnyBox& p) const
 {
-  Corner corner = 0;
+  PackedPoint point = 0;
   for (int i = 0; i < 3; ++i)
   {
     const Axis& axis = axes_[static_cast<std::size_t>(i)];
     const double units = (p[i] - axis.origin) * axis.units_per_metre;
-    corner |= static_cast<Corner>(static_cast<std::int32_t>(std::max(std::min(units, axis.last), axis.first)))
-              << axis.shift;
+    point |= static_cast<PackedPoint>(static_cast<std::int32_t>(std::max(std::min(units, axis.last), axis.first)))
+             << axis.shift;
   }
-  return corner;
+  return point;
 }
 
 template <class AnyBox>
-[[gnu::always_inline]] inline BroadPhase::Extent BroadPhase::extentOf(const AnyBox& box) const
+[[gnu::always_inline]] inline BroadPhase::PackedAabb BroadPhase::pack(const AnyBox& box) const
 {
-  return {0u - cornerAt(box.low), cornerAt(box.high) | borrows_};
+  return {0u - packPoint(box.low), packPoint(box.high) | borrows_};
 }
 
-inline bool BroadPhase::fits(const Extent& extent) const
+inline bool BroadPhase::fits(const PackedAabb& packed) const
 {
-  const Corner edges = (extent.high & ~borrows_) + extent.minus_low;  // of each axis: none borrows
+  const PackedPoint edges = (packed.high & ~borrows_) + packed.minus_low;  // of each axis: none borrows
   return (((longest_ | borrows_) - edges) & borrows_) == borrows_;
 }
 
@@ -102,20 +102,20 @@ template <class AnyBox>
   std::size_t range = slices_ + 1;
   if (!box.empty())
   {
-    const Extent extent = placed_[place] = extentOf(box);
-    range = fits(extent) ? sliceOf(extent.low()) : slices_;
+    const PackedAabb packed = placed_[place] = pack(box);
+    range = fits(packed) ? sliceOf(packed.low()) : slices_;
   }
   range_[place] = static_cast<std::uint32_t>(range);
 }
 
-inline LaneMask BroadPhase::overlaps(const Extent* entries, const Question& question) const
+inline LaneMask BroadPhase::overlaps(const PackedAabb* entries, const Query& query) const
 {
-  Corners two, others;
+  PackedPoints two, others;
   std::memcpy(&two, entries, sizeof(two));
   std::memcpy(&others, entries + 2, sizeof(others));
-  two += question.both;
-  others += question.both;
-  const Corners borrows{borrows_, borrows_, borrows_, borrows_};
+  two += query.both;
+  others += query.both;
+  const PackedPoints borrows{borrows_, borrows_, borrows_, borrows_};
   return (pick<0, 2, 4, 6>(two, others) & pick<1, 3, 5, 7>(two, others) & borrows) == borrows;
 }
 }  // namespace ping_pong

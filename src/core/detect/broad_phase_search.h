@@ -14,19 +14,19 @@ void BroadPhase::eachCell(const Cell& first, const Cell& last, const Action& act
 }
 
 template <class Take>
-inline void BroadPhase::takeFrom(std::size_t begin, std::size_t end, const Question& question, const Take& take) const
+inline void BroadPhase::takeFrom(std::size_t begin, std::size_t end, const Query& query, const Take& take) const
 {
   for (std::size_t q = begin; q < end; q += kLanes)
   {
-    unsigned found = lanesIn(overlaps(entries_.data() + q, question)) & lowestBits(std::min(end - q, kLanes));
+    unsigned found = lanesIn(overlaps(entries_.data() + q, query)) & lowestBits(std::min(end - q, kLanes));
     for (; found != 0; found &= found - 1u) take(index_[q + static_cast<std::size_t>(__builtin_ctz(found))]);
   }
 }
 
-// How many there are in a range and how many of them overlap is hard to foresee for a processor: so the first eight of every
+// How many there are in a range and how many of them overlap is hard to predict for a processor: so the first eight of every
 // range are compared, whether they are there or not, and branches are taken for those that overlap and for what is left only.
 template <std::size_t count, class Take>
-inline void BroadPhase::takeFromRanges(const std::array<Range, count>& ranges, const Question& question,
+inline void BroadPhase::takeFromRanges(const std::array<Range, count>& ranges, const Query& query,
                                        const Take& take) const
 {
   static_assert(count * kFirst <= 64, "a bit for each");
@@ -35,8 +35,8 @@ inline void BroadPhase::takeFromRanges(const std::array<Range, count>& ranges, c
   for (std::size_t r = 0; r < count; ++r)
   {
     const std::uint32_t size = ranges[r].end - ranges[r].begin;
-    const Extent* first = entries_.data() + ranges[r].begin;
-    const unsigned here = lanesIn(overlaps(first, question)) | lanesIn(overlaps(first + kLanes, question)) << kLanes;
+    const PackedAabb* first = entries_.data() + ranges[r].begin;
+    const unsigned here = lanesIn(overlaps(first, query)) | lanesIn(overlaps(first + kLanes, query)) << kLanes;
     found |= std::uint64_t{here & lowestBits(std::min<std::size_t>(size, kFirst))} << (kFirst * r);
     more |= size > kFirst;
   }
@@ -46,15 +46,15 @@ inline void BroadPhase::takeFromRanges(const std::array<Range, count>& ranges, c
     take(index_[ranges[bit / kFirst].begin + bit % kFirst]);
   }
   if (!more) return;
-  for (const Range& range : ranges) takeFrom(range.begin + kFirst, range.end, question, take);
+  for (const Range& range : ranges) takeFrom(range.begin + kFirst, range.end, query, take);
 }
 
 template <class Take>
-void BroadPhase::takeAround(const Question& question, const Take& take) const
+void BroadPhase::takeAround(const Query& query, const Take& take) const
 {
   const std::size_t row = kSlices * row_, layer = kSlices * layer_;
-  const std::size_t slice = sliceOf(question.extent.low());
-  const Reach reach = reachOf(question.extent);
+  const std::size_t slice = sliceOf(query.packed.low());
+  const Reach reach = reachOf(query.packed);
   std::array<std::array<Range, 3>, 3> rows;
   for (std::size_t z = 0; z < 3; ++z)
     for (std::size_t y = 0; y < 3; ++y)
@@ -62,21 +62,21 @@ void BroadPhase::takeAround(const Question& question, const Take& take) const
       rows[z][y] = inRow(slice + z * layer + y * row - layer - row, reach.x, (z < 2 || reach.z) && (y < 2 || reach.y));
       __builtin_prefetch(entries_.data() + rows[z][y].begin);
     }
-  for (const std::array<Range, 3>& its : rows) takeFromRanges(its, question, take);
+  for (const std::array<Range, 3>& its : rows) takeFromRanges(its, query, take);
 }
 
 template <class Take>
-void BroadPhase::takeFromCells(const Extent& extent, const Take& take) const
+void BroadPhase::takeFromCells(const PackedAabb& packed, const Take& take) const
 {
-  const Question question(extent);
-  if (fits(extent)) return takeAround(question, take);
-  const Cell low = cellAt(extent.low()), high = cellAt(extent.high);
-  const std::size_t first = sliceAlong(extent.low()) - kSlices, last = sliceAlong(extent.high);
+  const Query query(packed);
+  if (fits(packed)) return takeAround(query, take);
+  const Cell low = cellAt(packed.low()), high = cellAt(packed.high);
+  const std::size_t first = sliceAlong(packed.low()) - kSlices, last = sliceAlong(packed.high);
   for (int z = low[2] - 1; z <= high[2]; ++z)
     for (int y = low[1] - 1; y <= high[1]; ++y)
     {
       const std::size_t row = kSlices * cell(0, y, z);
-      takeFrom(start_[row + first], start_[row + last + 1], question, take);
+      takeFrom(start_[row + first], start_[row + last + 1], query, take);
     }
 }
 
@@ -99,32 +99,32 @@ void BroadPhase::eachPairs(std::size_t begin, std::size_t end, const Ahead& ahea
   };
   for (std::size_t p = begin; p < std::min(end, in_cells_); ++p)
   {
-    const Question question(entries_[p]);
+    const Query query(entries_[p]);
     own = index_[p];
     const std::size_t slice = sliceOf(entries_[p].low()), above = slice + layer;
     const Reach reach = reachOf(entries_[p]);
     // Of two boxes the one whose cell comes first looks for the other: further on in its row, in the row behind, in the layer above.
-    const Range further{static_cast<std::uint32_t>(p + 1), start_[slice + reach.x + 1]};
-    takeFromRanges(std::array{further, inRow(slice + row, reach.x, reach.y), inRow(above - row, reach.x, reach.z),
+    const Range higher{static_cast<std::uint32_t>(p + 1), start_[slice + reach.x + 1]};
+    takeFromRanges(std::array{higher, inRow(slice + row, reach.x, reach.y), inRow(above - row, reach.x, reach.z),
                               inRow(above, reach.x, reach.z), inRow(above + row, reach.x, reach.y && reach.z)},
-                   question, take);
+                   query, take);
   }
   for (std::size_t p = std::max(begin, in_cells_); p < end; ++p)
   {
     own = index_[p];
     takeFromCells(entries_[p], take);
-    takeFrom(p + 1, boxes_, Question(entries_[p]), take);
+    takeFrom(p + 1, boxes_, Query(entries_[p]), take);
   }
   action(pairs.data(), count);
 }
 
 template <class Take>
-void BroadPhase::takeFromLists(const Extent& extent, const Take& take) const
+void BroadPhase::takeFromLists(const PackedAabb& packed, const Take& take) const
 {
   for (const Listed& box : everywhere_)
-    if (overlap(box.extent, extent)) take(box.index);
+    if (overlap(box.packed, packed)) take(box.index);
   if (!any_link_) return;
-  const Cell first = cellAt(extent.low()), last = cellAt(extent.high);
+  const Cell first = cellAt(packed.low()), last = cellAt(packed.high);
   const Listed* only = parts() == 1 ? links_.front().data() : nullptr;
   const auto takeFromList = [&](int x, int y, int z)
   {
@@ -132,20 +132,20 @@ void BroadPhase::takeFromLists(const Extent& extent, const Take& take) const
     {
       const Listed& box = only ? only[link] : links_[link >> kLinkBits][link & ((1u << kLinkBits) - 1u)];
       link = box.next;
-      const Cell its = cellAt(box.extent.low());  // of all cells that both are in, the first one tells
+      const Cell its = cellAt(box.packed.low());  // of all cells that both are in, the first one tells
       const bool tells =
           (x == std::max(first[0], its[0])) & (y == std::max(first[1], its[1])) & (z == std::max(first[2], its[2]));
-      if (overlap(box.extent, extent) & tells) take(box.index);
+      if (overlap(box.packed, packed) & tells) take(box.index);
     }
   };
   eachCell(first, last, takeFromList);
 }
 
 template <class Action>
-void BroadPhase::eachPartOf(const Extent& extent, const Action& action) const
+void BroadPhase::eachPartOf(const PackedAabb& packed, const Action& action) const
 {
   if (parts() == 1) return action(0);
-  const Cell low = cellAt(extent.low()), high = cellAt(extent.high);
+  const Cell low = cellAt(packed.low()), high = cellAt(packed.high);
   if (overManyCells(low, high)) return action(0);
   const std::size_t first = cell(low[0], low[1], low[2]), last = cell(high[0], high[1], high[2]);
   for (std::size_t part = 0; part < parts(); ++part)
@@ -153,12 +153,12 @@ void BroadPhase::eachPartOf(const Extent& extent, const Action& action) const
 }
 
 template <class AnyBox>
-void BroadPhase::announce(std::uint32_t index, const AnyBox& box, Additions& list) const
+void BroadPhase::deferInsertion(std::uint32_t index, const AnyBox& box, Additions& list) const
 {
   if (box.empty()) return;
   if (list.size() < parts()) list.resize(parts());
-  const Addition addition{extentOf(box), index | kAdded};
-  eachPartOf(addition.extent, [&](std::size_t part) { list[part].push_back(addition); });
+  const Addition addition{pack(box), index | kAdded};
+  eachPartOf(addition.packed, [&](std::size_t part) { list[part].push_back(addition); });
 }
 
 // Each part of the grid is one worker's.
@@ -178,7 +178,7 @@ void BroadPhase::add(std::vector<List>& lists, Additions List::*member, Workers&
                    for (List& list : lists)
                    {
                      if (part >= (list.*member).size()) continue;
-                     for (const Addition& one : (list.*member)[part]) addToLists(part, one.extent, one.index);
+                     for (const Addition& one : (list.*member)[part]) addToLists(part, one.packed, one.index);
                      (list.*member)[part].clear();
                    }
                });
@@ -188,10 +188,10 @@ template <class AnyBox>
 void BroadPhase::listOverlapping(const AnyBox& box, std::vector<std::uint32_t>& list) const
 {
   if (box.empty()) return;
-  const Extent extent = extentOf(box);
+  const PackedAabb packed = pack(box);
   const auto take = [&list](std::uint32_t index) { list.push_back(index); };
-  takeFromCells(extent, take);
-  takeFromLists(extent, take);
+  takeFromCells(packed, take);
+  takeFromLists(packed, take);
 }
 
 template <class Action>

@@ -138,7 +138,7 @@ Detection firstContact(const Segment& path, double radius, const Shape& shape, c
                        double until)
 {
   if (motion.still()) return firstContact(path, radius, placed(shape, motion.pose), from, until);
-  count(meeting(shape.kind));
+  count(meetingLaw(shape.kind));
   count(Law::MeetMoving);
   until = std::min(until, path.end);
   if (from > until || outOfReach(path, radius, shape, motion, from, until)) return {};
@@ -152,14 +152,14 @@ Detection firstContact(const Segment& path, double radius, const Shape& shape, c
   {
     const double s = t - path.start;
     const Gap gap = gapTo(shape, frame(t), path.position(s), path.velocity(s), radius);
-    return Look{gap.gap, gap.rate, turning ? -bound : leastAlong(gap.n_W, a_low, a_high)};
+    return GapSample{gap.gap, gap.rate, turning ? -bound : leastAlong(gap.n_W, a_low, a_high)};
   };
   const auto presses = [&](double t)
   {
     const double s = t - path.start;
     return gapAcceleration(shape, frame(t), path.position(s), path.velocity(s), path.acceleration(s)) < 0.0;
   };
-  return march(at, presses, from, until, touchTolerance(path.position(from - path.start), radius));
+  return advanceConservatively(at, presses, from, until, touchTolerance(path.position(from - path.start), radius));
 }
 
 Detection firstContact(const Segment& path1, double radius1, const Segment& path2, double radius2, double from,
@@ -179,7 +179,7 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
     const Vector3d d = path1.position(t - path1.start) - path2.position(t - path2.start);
     const Vector3d u = path1.velocity(t - path1.start) - path2.velocity(t - path2.start);
     const double distance = d.norm();
-    return Look{distance - reach, d.dot(u) / distance, leastAlong(d / distance, a_low, a_high)};
+    return GapSample{distance - reach, d.dot(u) / distance, leastAlong(d / distance, a_low, a_high)};
   };
   const auto presses = [&](double t)
   {
@@ -188,15 +188,24 @@ Detection firstContact(const Segment& path1, double radius1, const Segment& path
     const Vector3d pull = path1.acceleration(t - path1.start) - path2.acceleration(t - path2.start);
     return d.dot(pull) + u.squaredNorm() < 0.0;
   };
-  return march(at, presses, from, until, tolerance);
+  return advanceConservatively(at, presses, from, until, tolerance);
 }
 
 double leavesFace(const Segment& path, const Shape& shape, const BodyMotion& motion, double from, double until)
 {
-  if (shape.kind == ShapeKind::HalfSpace) return kNever;
-  const FaceFrame ball = inFace(path, shape, motion, from);
-  const double after =
-      shape.kind == ShapeKind::Box ? leavesBoxFace(ball, shape.half_size) : leavesCap(ball, shape.half_size.x());
+  double after = kNever;
+  switch (shape.kind)
+  {
+    case ShapeKind::Box:
+      after = leavesBoxFace(inFace(path, shape, motion, from), shape.half_size);
+      break;
+    case ShapeKind::Cylinder:
+      after = leavesCap(inFace(path, shape, motion, from), shape.half_size.x());
+      break;
+    case ShapeKind::Sphere:
+    case ShapeKind::HalfSpace:
+      break;  // without a border
+  }
   return from + after <= until ? from + after : kNever;
 }
 }  // namespace ping_pong

@@ -15,9 +15,9 @@ namespace ping_pong
 {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Away so slowly a touching ball that is pressed on the surface does not hop: 1e-19 m under gravity. Such a contact is
+/// Away so slowly a touching ball that is pressed on the surface does not separate: 1e-19 m under gravity. Such a contact is
 /// found, and has to be the end of bouncing, by the same bound: else it would be found again and again [m/s].
-constexpr double kNoHopSpeed = 1e-9;
+constexpr double kNoSeparationSpeed = 1e-9;
 
 /// A ball and a shape at one instant.
 struct Gap

@@ -1,7 +1,7 @@
 // First contact with a shape that does not move: the path is taken into the shape's frame once, and searched there.
 #include "base/law_counter.h"
-#include "detect/descent.h"
 #include "detect/fall_on_plane.h"
+#include "detect/plane_crossing.h"
 #include "evolve/polynomial.h"
 #include "geometry/closest_point_here.h"
 
@@ -26,7 +26,7 @@ Detection meetPlane(const Segment& path, double radius, const Shape& shape, doub
   const Vector3d a_low = path.aLow(), a_high = path.aHigh();
   height.least_bend = leastAlong(n, a_low, a_high);
   height.most_bend = mostAlong(n, a_low, a_high);
-  return comesDown(height, path.start, from, until, touchTolerance(path.position(from - path.start), radius));
+  return crossesPlane(height, path.start, from, until, touchTolerance(path.position(from - path.start), radius));
 }
 
 // The path in the frame of a shape.
@@ -100,7 +100,8 @@ Detection meetFaces(const SeenPath& seen, double radius, const Shape& shape, dou
     const double gap = beyondFaces(y, radius, shape).maxCoeff(&axis);
     const double side = y[axis] < 0.0 ? -1.0 : 1.0;
     if (gap < -kInside || (gap <= kInside && !overFace(y, shape, axis))) return {from, true};
-    const Detection found = comesDown(heightOver(seen, radius, shape, axis, side), seen.start, from, until, tolerance);
+    const Detection found =
+        crossesPlane(heightOver(seen, radius, shape, axis, side), seen.start, from, until, tolerance);
     if (!found.found() || found.undecided) return found;
     from = found.time;
     if (overFace(seen.position(from - seen.start), shape, axis)) return found;
@@ -119,8 +120,8 @@ Detection meetShape(const Segment& path, double radius, const Shape& shape, doub
   {
     const double s = t - seen.start;
     const Proximity near = proximityHere(shape, seen.position(s));
-    return Look{near.distance - radius, near.normal.dot(seen.velocity(s)),
-                leastAlong(near.normal, seen.a_low, seen.a_high)};
+    return GapSample{near.distance - radius, near.normal.dot(seen.velocity(s)),
+                     leastAlong(near.normal, seen.a_low, seen.a_high)};
   };
   const auto presses = [&](double t)
   {
@@ -131,7 +132,7 @@ Detection meetShape(const Segment& path, double radius, const Shape& shape, doub
     const double u2 = u.dot(near.normal.cross(near.t1));
     return near.normal.dot(seen.acceleration(s)) + near.k1 * u1 * u1 + near.k2 * u2 * u2 < 0.0;
   };
-  return march(at, presses, from, until, tolerance);
+  return advanceConservatively(at, presses, from, until, tolerance);
 }
 }  // namespace
 
@@ -145,7 +146,7 @@ Shape placed(Shape shape, const Pose& X_WB)
 
 Detection firstContact(const Segment& path, double radius, const Shape& placed, double from, double until)
 {
-  count(meeting(placed.kind));
+  count(meetingLaw(placed.kind));
   until = std::min(until, path.end);
   if (from > until) return {};
   return placed.kind == ShapeKind::HalfSpace ? meetPlane(path, radius, placed, from, until)

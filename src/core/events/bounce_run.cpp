@@ -4,6 +4,7 @@
 #include "detect/fall_on_plane.h"
 #include "events/bounce_run_level.h"
 #include "events/predict.h"
+#include "geometry/tangential.h"
 #include "resting/plan_path.h"
 #include "state/collapse_guard.h"
 #include "state/contact_log.h"
@@ -12,9 +13,9 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::size_t kHopsAtATime = 1000;  // the limit of events is looked at in between
+constexpr std::size_t kBouncesAtATime = 1000;  // the limit of events is looked at in between
 
-// What does not change from hop to hop.
+// What does not change from bounce to bounce.
 struct Ground
 {
   const Shape& plane;
@@ -34,23 +35,23 @@ Ground groundOf(const WorldState& world, const BallRecord& ball, const Event& ev
   return {plane, world.surface(ball, plane), n, a, -n.dot(a), world.bodies.size() == 1 && body.placed.size() == 1};
 }
 
-bool hopsOn(const WorldState& world, const BallRecord& ball, const Event& event)
+bool bouncesOn(const WorldState& world, const BallRecord& ball, const Event& event)
 {
   if (event.kind != Event::Kind::HitBody || world.any_moving || ball.path.degree != 2 || !ball.model().constant())
     return false;
   const BodyRecord& body = world.bodies[event.other];
   return body.version == event.version && body.placed[event.shape].kind == ShapeKind::HalfSpace &&
-         ball.supports.none() && ball.path.w_WB.isZero(0.0) && ball.path.turn_WB().isZero(0.0) &&
-         ball.crush < kLongStreak;
+         ball.supports.none() && ball.path.w_WB.isZero(0.0) && ball.path.pending_rotation().isZero(0.0) &&
+         ball.instant_contacts < kManyQuick;
 }
 
 bool slips(const Ground& ground, const Vector3d& v)
 {
-  return ground.law.friction != 0.0 && !(v - ground.n.dot(v) * ground.n).isZero(0.0);
+  return ground.law.friction != 0.0 && !tangential(v, ground.n).isZero(0.0);
 }
 
 // Whether all bounces to come are too small to count: then the ball comes to lie.
-bool settles(const Ground& ground, const Vector3d& p, const Vector3d& v, double radius)
+bool comesToRest(const Ground& ground, const Vector3d& p, const Vector3d& v, double radius)
 {
   const double rate = ground.n.dot(v);
   return rate <= kSurelyBounces && bouncingEnds(rate, ground.press, touchTolerance(p, radius));
@@ -77,17 +78,17 @@ void setPath(BallRecord& ball, const Vector3d& p, const Vector3d& v, double t)
   ++ball.version;
 }
 
-void foreseeHop(WorldState& world, std::size_t i, const Ground& ground, double t)
+void predictBounce(WorldState& world, std::size_t i, const Ground& ground, double t)
 {
   BallRecord& ball = world.balls[i];
   const Detection found = fallOnPlane(ball.path, ball.params().radius, ground.n, ground.plane, t, t + kHorizon);
-  if (!found.found() || othersInTheWay(world, ball, ground, t, found.time)) return foresee(world, i, t);
+  if (!found.found() || othersInTheWay(world, ball, ground, t, found.time)) return predictStill(world, i, t);
   count(Law::MeetHalfSpace);
   ball.next.time = found.time;  // the rest is what it was
 }
 
-// One bounce; false, with nothing changed, if it is none of this kind.
-bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Ground& ground)
+// One bounce; false, with nothing changed, if it is not such a one.
+bool bounceOnce(WorldState& world, const Window& window, std::size_t i, const Ground& ground)
 {
   BallRecord& ball = world.balls[i];
   const double t = ball.next.time;
@@ -98,19 +99,20 @@ bool hopOnce(WorldState& world, const Window& window, std::size_t i, const Groun
   const double closing = -ground.n.dot(before);
   if (!(closing > 0.0) || slips(ground, before)) return false;
   const Vector3d after = before + ((1.0 + ground.law.restitutionAt(closing)) * closing) * ground.n;
-  if (settles(ground, p, after, ball.params().radius)) return false;
+  if (comesToRest(ground, p, after, ball.params().radius)) return false;
   count(Law::Restitution);
-  countStreak(ball, t);
+  countCollapse(ball, t);
   if (worthAReport(ball, closing))
-    recordBodyContact(*window.records, world.balls[i], i, ball.next,
-                      {p, before, after, Vector3d::Zero(), Vector3d::Zero()}, ground.n, Vector3d::Zero(), t);
-  if (window.log) window.log->flown(i, t);
+    recordContact(*window.records, ball, i, HitObject::shapeOf(ball.next.other, ball.next.shape),
+                  {t, ground.n, Vector3d::Zero(), p, before, after, Vector3d::Zero(), Vector3d::Zero(),
+                   impulseOf(ball, before, after)});
+  if (window.log) window.log->leavesPath(i, t);
   setPath(ball, p, after, t);
-  foreseeHop(world, i, ground, t);
+  predictBounce(world, i, ground, t);
   return true;
 }
 
-// What hopOnLevel() takes for granted, besides what hop() does.
+// What bounceOnLevel() takes for granted, besides what runBounces() does.
 bool level(const Ground& ground, const BallRecord& ball)
 {
   return ground.only_shape && ground.n == Vector3d::UnitZ() && ground.a.x() == 0.0 && ground.a.y() == 0.0 &&
@@ -123,20 +125,20 @@ bool onTheSame(const Event& now, const Event& before)
 }
 }  // namespace
 
-bool hop(WorldState& world, const Window& window, std::size_t i)
+bool runBounces(WorldState& world, const Window& window, std::size_t i)
 {
   BallRecord& ball = world.balls[i];
-  if (!hopsOn(world, ball, ball.next)) return false;
+  if (!bouncesOn(world, ball, ball.next)) return false;
   const Event first = ball.next;
   const Ground ground = groundOf(world, ball, first);
-  const std::size_t most = window.count == 1 ? kHopsAtATime : 1;
-  std::size_t hops = 0;
+  const std::size_t most = window.count == 1 ? kBouncesAtATime : 1;
+  std::size_t bounces = 0;
   if (most > 1 && level(ground, ball))
-    hops = hopOnLevel(world, window, i, {ground.plane.p_BS.z(), ground.law, ground.a.z()}, most);
-  while (hops < most && ball.next.time <= window.end && onTheSame(ball.next, first) &&
-         hopOnce(world, window, i, ground))
-    ++hops;
-  if (hops > 1) window.records->status.events += hops - 1;  // one has been counted by the caller
-  return hops > 0;
+    bounces = bounceOnLevel(world, window, i, {ground.plane.p_BS.z(), ground.law, ground.a.z()}, most);
+  while (bounces < most && ball.next.time <= window.end && onTheSame(ball.next, first) &&
+         bounceOnce(world, window, i, ground))
+    ++bounces;
+  if (bounces > 1) window.records->status.events += bounces - 1;  // one has been counted by the caller
+  return bounces > 0;
 }
 }  // namespace ping_pong

@@ -8,6 +8,6 @@
 namespace ping_pong
 {
 /// Handles ball i's next event if it is such a bounce, and those that follow while the ball is alone in the window. False, with
-/// nothing changed, if it is not. With others in the window the caller looks for meetings with them anew.
-bool hop(WorldState& world, const Window& window, std::size_t i);
+/// nothing changed, if it is not. With others in the window the caller predicts contacts with them anew.
+bool runBounces(WorldState& world, const Window& window, std::size_t i);
 }  // namespace ping_pong

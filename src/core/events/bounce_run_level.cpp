@@ -39,16 +39,16 @@ Bounce bounceAt(double t, const Flight1& now, const Segment& path, double radius
   Bounce bounce;
   bounce.closing = -before;
   bounce.next = kNever;
-  if (!(bounce.closing > 2.0 * kHopSpeed)) return bounce;
+  if (!(bounce.closing > 2.0 * kResidualSeparation)) return bounce;
   const double v = before + (1.0 + ground.law.restitutionAt(bounce.closing)) * bounce.closing;
   bounce.after = {t, now.x + s * path.c[1].x(), now.y + s * path.c[1].y(), now.z + s * (now.v + s * half_a), v};
   const Vector3d p = placeOf(bounce.after);
   const double tolerance = touchTolerance(p, radius);
   if (v <= kSurelyBounces && bouncingEnds(v, -ground.a, tolerance)) return bounce;
   const double gap = p.z() - ground.z - radius;
-  if (!(v > kNoHopSpeed)) return bounce;
+  if (!(v > kNoSeparationSpeed)) return bounce;
   double step = safeStep(std::max(gap, 0.0), v, 2.0 * half_a);
-  if (gap <= tolerance) step = std::max(step, kFirstNudge);
+  if (gap <= tolerance) step = std::max(step, kFirstAdvance);
   if (t + step <= t + kHorizon) bounce.next = t + step;
   return bounce;
 }
@@ -58,19 +58,19 @@ Vector3d withZ(const Vector3d& v, double z)
   return {v.x(), v.y(), z};
 }
 
-// After so many hops, the next one at time t.
-void flyOn(BallRecord& ball, const Flight1& now, double t, std::size_t hops)
+// After so many bounces, the next one at time t.
+void storePath(BallRecord& ball, const Flight1& now, double t, std::size_t bounces)
 {
   Segment& path = ball.path;
   path.start = now.start;
   path.c[0] = placeOf(now);
   path.c[1] = {path.c[1].x() + 0.0, path.c[1].y() + 0.0, now.v};  // no -0, as in bounce_run.cpp
-  ball.version += static_cast<std::uint32_t>(hops);
+  ball.version += static_cast<std::uint32_t>(bounces);
   ball.next.time = t;
 }
 
 // From the first bounce to the last, where the path begins: the longest flight bulges most above the ground, see boxOf().
-Box boxOfHops(const Segment& path, const Flight1& first, double radius, const LevelGround& ground, double longest)
+Box boxOfBounces(const Segment& path, const Flight1& first, double radius, const LevelGround& ground, double longest)
 {
   Box way;
   way.low = path.c[0].cwiseMin(placeOf(first)).array() - radius;
@@ -81,8 +81,8 @@ Box boxOfHops(const Segment& path, const Flight1& first, double radius, const Le
 }
 }  // namespace
 
-std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, const LevelGround& ground,
-                       std::size_t most)
+std::size_t bounceOnLevel(WorldState& world, const Window& window, std::size_t i, const LevelGround& ground,
+                          std::size_t most)
 {
   BallRecord& ball = world.balls[i];
   Segment& path = ball.path;
@@ -90,29 +90,30 @@ std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, c
   Flight1 now{path.start, path.c[0].x(), path.c[0].y(), path.c[0].z(), path.c[1].z()};
   Flight1 first{};  // from the first bounce on
   double t = ball.next.time, longest = 0.0;
-  std::size_t hops = 0;
-  while (hops < most && t <= window.end && t - ball.last_contact >= kStreakTime)
+  std::size_t bounces = 0;
+  while (bounces < most && t <= window.end && t - ball.last_contact >= kQuickTime)
   {
     const Bounce bounce = bounceAt(t, now, path, radius, ground);
     if (!(bounce.next < kNever)) break;
     count(Law::Restitution);
     count(Law::MeetHalfSpace);
-    countStreak(ball, t);
-    if (hops == 0 && window.log) window.log->flown(i, t);
-    recordBodyContact(*window.records, ball, i, ball.next,
-                      {placeOf(bounce.after), withZ(path.c[1], -bounce.closing), withZ(path.c[1], bounce.after.v),
-                       Vector3d::Zero(), Vector3d::Zero()},
-                      Vector3d::UnitZ(), Vector3d::Zero(), t);
-    if (hops++ == 0)
+    countCollapse(ball, t);
+    if (bounces == 0 && window.log) window.log->leavesPath(i, t);
+    const Vector3d v_before = withZ(path.c[1], -bounce.closing), v_after = withZ(path.c[1], bounce.after.v);
+    recordContact(*window.records, ball, i, HitObject::shapeOf(ball.next.other, ball.next.shape),
+                  {t, Vector3d::UnitZ(), Vector3d::Zero(), placeOf(bounce.after), v_before, v_after, Vector3d::Zero(),
+                   Vector3d::Zero(), impulseOf(ball, v_before, v_after)});
+    if (bounces++ == 0)
       first = bounce.after;
     else
       longest = std::max(longest, t - now.start);
     now = bounce.after;
     t = bounce.next;
   }
-  if (hops == 0) return 0;
-  flyOn(ball, now, t, hops);
-  if (window.log && hops > 1) window.log->flownInBox(i, boxOfHops(path, first, radius, ground, longest), now.start);
-  return hops;
+  if (bounces == 0) return 0;
+  storePath(ball, now, t, bounces);
+  if (window.log && bounces > 1)
+    window.log->flewInBox(i, boxOfBounces(path, first, radius, ground, longest), now.start);
+  return bounces;
 }
 }  // namespace ping_pong

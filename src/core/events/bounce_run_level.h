@@ -14,8 +14,8 @@ struct LevelGround
 };
 
 /// Lets ball i bounce until the window ends, or something else than an ordinary bounce comes next. The ball flies a parabola
-/// above level ground, is pulled along z only, does not slip on it and has nothing else in its way. The bits are those of hop().
+/// above level ground, is pulled along z only, does not slip on it and has nothing else in its way. The bits are those of runBounces().
 /// @return number of bounces, `most` at most
-std::size_t hopOnLevel(WorldState& world, const Window& window, std::size_t i, const LevelGround& ground,
-                       std::size_t most);
+std::size_t bounceOnLevel(WorldState& world, const Window& window, std::size_t i, const LevelGround& ground,
+                          std::size_t most);
 }  // namespace ping_pong

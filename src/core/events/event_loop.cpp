@@ -1,245 +1,100 @@
 #include "events/event_loop.h"
 
-#include <cmath>
-
-#include "detect/conservative_advancement.h"
 #include "events/bounce_run.h"
 #include "events/predict.h"
-#include "evolve/flight.h"
-#include "ping_pong_sim/resolve.h"
-#include "resting/joint_impact.h"
+#include "events/resolve_event.h"
 #include "resting/plan_path.h"
-#include "state/collapse_guard.h"
-#include "state/contact_log.h"
-#include "state/crowding.h"
-#include "state/squeeze.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr double kSqueezeGap = 2e-5;  // room left to a ball that counts as squeezed [m]
-constexpr double kOpposed = -0.999;   // cosine between normals of squeezing surfaces
+// A tick ends, and says so, where more happens in it: about a second of work, and for one ball 10 ms.
 constexpr std::size_t kEventsPerAdvance = 1000000;
 constexpr std::size_t kEventsPerBall = 10000;
 
 constexpr double kFromTheStart = -kNever;
 
-void foreseeBalls(WorldState& world, const Window& window, std::size_t i, double resume = kFromTheStart)
+// --- predictions ---
+
+void predictBalls(WorldState& world, const Window& window, std::size_t i, double resume = kFromTheStart)
 {
-  if (world.balls[i].passing) world.balls[i].passing->ball = Event();
+  if (world.balls[i].transient) world.balls[i].transient->ball = Event();
   for (std::size_t m = 0; m < window.count; ++m)
-    if (window.members[m] != i) foreseeBall(world, i, window.members[m], resume, window.end, *window.records);
+    if (window.members[m] != i) predictBall(world, i, window.members[m], resume, window.end, *window.records);
 }
 
-void foreseeBodies(WorldState& world, const Window& window, std::size_t i, double t)
+void predictBodies(WorldState& world, const Window& window, std::size_t i, double t)
 {
-  foresee(world, i, t);
-  if (world.any_moving) foreseeMoving(world, i, t, window.smooth_until);
+  predictStill(world, i, t);
+  if (world.any_moving) predictMoving(world, i, t, window.smooth_until);
 }
 
-void foreseeAll(WorldState& world, const Window& window, std::size_t i, double t)
+// Searches on from the horizon of a prediction, or anew for one that is void; false if the next event of ball i is neither.
+bool predictAgain(WorldState& world, const Window& window, std::size_t i)
 {
-  foreseeBodies(world, window, i, t);
-  if (window.count > 1) foreseeBalls(world, window, i);
-}
-
-void changePath(WorldState& world, const Window& window, std::size_t i, const BallState& state, double t)
-{
-  BallRecord& ball = world.balls[i];
-  if (window.log) window.log->flown(i, t);
-  planPath(world, ball, state, t, window.smooth_until);
-}
-
-void restart(WorldState& world, const Window& window, std::size_t i, const BallState& state, double t)
-{
-  changePath(world, window, i, state, t);
-  foreseeAll(world, window, i, t);
-}
-
-// --- squeezed balls ---
-
-// Touching a second surface that comes against the first: there is no way out but through one of them.
-bool squeezedBetween(const WorldState& world, const BallRecord& ball, const BallState& state, const Gap& first,
-                     const Vector3d& u_first, double t)
-{
-  for (const BodyRecord& body : world.bodies)
-  {
-    const BodyFrame frame = body.at(t);
-    for (const Shape& shape : body.shapes())
-    {
-      const Gap other = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius);
-      if (other.gap > kSqueezeGap || other.n_W.dot(first.n_W) > kOpposed) continue;
-      const Vector3d u_other = frame.pointVelocity(state.p_WB - ball.params().radius * other.n_W);
-      if (first.n_W.dot(u_first - u_other) > 0.0) return true;
-    }
-  }
-  return false;
-}
-
-// --- resolve ---
-
-// After a bounce: if all bounces to come are too small to count, the ball lies on the surface from now on.
-void settle(const WorldState& world, BallRecord& ball, const Event& event, const Surface& law, const BodyFrame& frame,
-            BallState& state, double closing, double leaving, double t)
-{
-  if (leaving > kSurelyBounces) return;
-  const BodyRecord& body = world.bodies[event.other];
-  const Shape& shape = body.shapes()[event.shape];
-  const Vector3d a = accelerationOnSupports(world, ball, state, t);
-  const double press = -gapAcceleration(shape, frame, state.p_WB, state.v_WB, a);
-  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, ball.params().radius);
-  const bool pressed = closing <= kNoClosingSpeed;  // on it, without an impact
-  const bool ends = pressed || bouncingEnds(gap.rate, press, touchTolerance(state.p_WB, ball.params().radius));
-  // Surfaces that throw a ball at each other without end take it in the end: what is lost is below rounding of a rally.
-  if (!ends && !(ball.streak > kLongStreak && gap.rate < kDeadSpeed)) return;
-  ball.supports.add(event.other, event.shape);
-  addTouched(world, ball, state, t);
-  ball.supports.setSince(t +
-                         (press > 0.0 ? timeOfRemainingBounces(std::max(gap.rate, 0.0), press, law.restitution) : 0.0));
-  state.v_WB -= gap.rate * gap.n_W;
-  state.p_WB -= gap.gap * gap.n_W;
-}
-
-// In a crush a moving surface takes the ball along and does not throw it: no pumping up between paddle and table.
-Surface lawOf(const WorldState& world, const BallRecord& ball, const BodyRecord& body, const Shape& shape)
-{
-  Surface law = world.surface(ball, shape);
-  if (ball.crush > kLongStreak && body.moving) law.restitution = 0.0;
-  return law;
-}
-
-// Surfaces that throw the ball at each other without end: it strikes all that it touches at once.
-bool strikeTogether(WorldState& world, const Window& window, std::size_t i, const Event& event, double t)
-{
-  BallState state = world.balls[i].stateAt(t);
-  if (!strikeAllTouched(world, *window.records, i, event, t, state)) return false;
-  restart(world, window, i, state, t);
+  const BallRecord& ball = world.balls[i];
+  const Event& event = nextEvent(ball);
+  const bool at_horizon = event.kind == Event::Kind::Horizon;
+  if (!at_horizon && stillTrue(world, event)) return false;
+  const double t = event.time;
+  // Only what is void is searched for anew: the other answer keeps its bits.
+  if (ball.transient && &event == &ball.transient->ball)
+    predictBalls(world, window, i, at_horizon ? t : kFromTheStart);
+  else
+    predictBodies(world, window, i, t);
   return true;
 }
 
-void hitBody(WorldState& world, const Window& window, std::size_t i, const Event& event, double t)
+// The commonest events have a closed form of all three steps; false if the next event of ball i is none of these.
+bool bounceAlone(WorldState& world, const Window& window, std::size_t i)
 {
-  BallRecord& ball = world.balls[i];
-  const BodyRecord& body = world.bodies[event.other];
-  const Shape& shape = body.shapes()[event.shape];
-  const BodyFrame frame = body.moving ? frameAt(body.motion, t - body.motion.start) : BodyFrame();
-  BallState state = ball.stateAt(t);
-  const Gap gap = gapOver(body, shape, ball, state, t);
-  const Vector3d u = body.moving ? frame.pointVelocity(state.p_WB - ball.params().radius * gap.n_W) : Vector3d::Zero();
-  countStreak(ball, t);
-  if ((ball.crush > kHopelessCrush && body.moving) ||
-      (ball.crush > kLongStreak && squeezedBetween(world, ball, state, gap, u, t)))
-    return squeeze(*window.records, ball, state, t);
-  const Surface law = lawOf(world, ball, body, shape);
-  if (ball.streak > kLongStreak && law.restitutionAt(-gap.rate) < 1.0 && strikeTogether(world, window, i, event, t))
-    return;
-  const BallState before = state;
-  bounce(law, ball.params(), state, u, gap.n_W);
-  if (worthAReport(ball, -gap.rate))
-    recordBodyContact(*window.records, ball, i, event, {before.p_WB, before.v_WB, state.v_WB, before.w_WB, state.w_WB},
-                      gap.n_W, u, t);
-  settle(world, ball, event, law, frame, state, -gap.rate, gap.n_W.dot(state.v_WB - u), t);
-  restart(world, window, i, state, t);
+  const BallRecord& ball = world.balls[i];
+  if (&nextEvent(ball) != &ball.next || !runBounces(world, window, i)) return false;
+  if (window.count > 1) predictBalls(world, window, i);
+  return true;
 }
 
-// Speed of separation of two balls after they met with this closing speed. Where forces press them together, the end of a
-// pile-up is a hop; else it is an elastic impact.
-double separationSpeed(const BallRecord& a, const BallRecord& b, double closing, double restitution, bool pressed)
+// --- the three steps of an event ---
+
+// The next event of ball i, with the states to which its balls have come on their paths by then.
+DueEvent evolve(const WorldState& world, std::size_t i)
 {
-  if (closing <= kTouchSpeed) return pressed ? kHopSpeed : std::max(closing, 0.0);
-  if (std::min(a.streak, b.streak) <= kLongStreak) return restitution * closing;
-  return pressed ? std::max(closing, kHopSpeed) : closing;
+  const Event event = nextEvent(world.balls[i]);  // a copy: the original goes when the path does
+  const BallState state = world.balls[i].stateAt(event.time);
+  if (event.kind != Event::Kind::HitBall) return {event, {i, kNone}, 1, {state, BallState()}};
+  return {event, {i, event.other}, 2, {state, world.balls[event.other].stateAt(event.time)}};
 }
 
-void recordBallContact(Records& records, const BallRecord& a, std::size_t i, const BallRecord& b,
-                       const BallState& before_a, const BallState& after_a, const Vector3d& v_other, const Vector3d& n,
-                       const Vector3d& impulse, double t)
+// New paths from the states that resolve() has left, and the events to come on them.
+void detect(WorldState& world, const Window& window, const DueEvent& due)
 {
-  Contact* contact = newContact(records, i);
-  if (!contact) return;
-  contact->time = t;
-  contact->ball = a.id;
-  contact->with_ball = true;
-  contact->other_ball = b.id;
-  contact->n_W = n;
-  contact->p_WC = before_a.p_WB - a.params().radius * n;
-  contact->v_before = before_a.v_WB;
-  contact->v_after = after_a.v_WB;
-  contact->w_before = before_a.w_WB;
-  contact->w_after = after_a.w_WB;
-  contact->v_other = v_other;
-  contact->impulse = impulse;
-}
-
-void hitBall(WorldState& world, const Window& window, std::size_t i, std::size_t k, double t)
-{
-  BallRecord& a = world.balls[i];
-  BallRecord& b = world.balls[k];
-  if (window.log) window.log->met(i, k);
-  BallState state_a = a.stateAt(t);
-  BallState state_b = b.stateAt(t);
-  const Vector3d n = (state_a.p_WB - state_b.p_WB).normalized();
-  const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
-  countStreak(a, t);
-  countStreak(b, t);
-  const Surface& law = world.surface(a, b);
-  const Vector3d pull = a.path.acceleration(t - a.path.start) - b.path.acceleration(t - b.path.start);
-  if (law.restitutionAt(closing) < 1.0)
-    for (BallRecord* ball : {&a, &b}) window.records->crowding |= countCrowding(*ball, t);
-  const double speed = separationSpeed(a, b, closing, law.restitutionAt(closing), n.dot(pull) < 0.0);
-  const BallState before_a = state_a;
-  const Vector3d p_WC = state_a.p_WB - a.params().radius * n;
-  const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
-  const Vector3d impulse = part(law, speed, a.params(), state_a, b.params(), state_b, n);
-  if (worthAReport(a, closing)) recordBallContact(*window.records, a, i, b, before_a, state_a, v_other, n, impulse, t);
-  changePath(world, window, i, state_a, t);
-  changePath(world, window, k, state_b, t);
-  foreseeAll(world, window, i, t);
-  foreseeAll(world, window, k, t);
-}
-
-void handle(WorldState& world, const Window& window, std::size_t i)
-{
-  BallRecord& ball = world.balls[i];
-  if (&soonest(ball) == &ball.next && hop(world, window, i))
+  const double t = due.event.time;
+  for (std::size_t k = 0; k < due.count; ++k)
   {
-    if (window.count > 1) foreseeBalls(world, window, i);
-    return;
+    if (window.log) window.log->leavesPath(due.balls[k], t);
+    planPath(world, world.balls[due.balls[k]], due.states[k], t, window.smooth_until);
   }
-  const Event event = soonest(ball);  // a copy: the original goes when the path does
-  const bool with_ball = ball.passing && &soonest(ball) == &ball.passing->ball;
-  const double t = event.time;
-  const bool look_again = event.kind == Event::Kind::LookAgain;
-  if (look_again || !stillTrue(world, event))
+  for (std::size_t k = 0; k < due.count; ++k)
   {
-    // Only what is void is looked for anew: the other answer keeps its bits.
-    if (with_ball) return foreseeBalls(world, window, i, look_again ? t : kFromTheStart);
-    return foreseeBodies(world, window, i, t);
-  }
-  switch (event.kind)
-  {
-    case Event::Kind::HitBody:
-      return hitBody(world, window, i, event, t);
-    case Event::Kind::HitBall:
-      return hitBall(world, window, i, event.other, t);
-    default:
-      return restart(world, window, i, world.balls[i].stateAt(t), t);
+    predictBodies(world, window, due.balls[k], t);
+    if (window.count > 1) predictBalls(world, window, due.balls[k]);
   }
 }
 
+// The ball of the next event, or kNone if there is none until the window ends.
 std::size_t earliestBall(const WorldState& world, const Window& window)
 {
   std::size_t first = kNone;
   double time = kNever;
   for (std::size_t m = 0; m < window.count; ++m)
   {
-    const double its = soonest(world.balls[window.members[m]]).time;
+    const double its = nextEvent(world.balls[window.members[m]]).time;
     if (its >= time) continue;
     time = its;
     first = window.members[m];
   }
-  return first;
+  return time <= window.end ? first : kNone;
 }
 }  // namespace
 
@@ -251,16 +106,17 @@ bool runTogether(WorldState& world, const Window& window)
   std::size_t events = 0;
   for (std::size_t i = earliestBall(world, window); i != kNone; i = earliestBall(world, window))
   {
-    if (soonest(world.balls[i]).time > window.end) return true;
     if (++events > window.most_events) return false;
     if (++status.events > last)
     {
       status.event_limit = true;
       return true;
     }
-    handle(world, window, i);
+    if (bounceAlone(world, window, i) || predictAgain(world, window, i)) continue;
+    DueEvent due = evolve(world, i);
+    resolve(world, window, due);
+    detect(world, window, due);
   }
   return true;
 }
-
 }  // namespace ping_pong

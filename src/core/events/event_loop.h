@@ -17,10 +17,10 @@ struct Window
   Records* records = nullptr;                 ///< of the world or of a worker
   FlightLog* log = nullptr;                   ///< told what the balls fly; null if nobody will ask
   std::size_t most_events = ~std::size_t{0};  ///< more than that are not handled
-  double outlook = 0.0;  ///< whom balls meet is looked for until then, see lookahead.h; no earlier than `end` [s]
+  double lookahead = 0.0;  ///< whom balls meet is looked for until then, see lookahead.h; no earlier than `end` [s]
 };
 
 /// Handles all events of these balls up to the end of the window, one after the other; false if there are more than most_events.
-/// What they foresee with each other must be true or void.
+/// What they predict with each other must be true or void.
 bool runTogether(WorldState& world, const Window& window);
 }  // namespace ping_pong

@@ -12,7 +12,7 @@ namespace
 Event toEvent(const Detection& found, Event::Kind kind, std::size_t other, std::size_t shape, unsigned version)
 {
   Event event;
-  event.kind = found.undecided ? Event::Kind::LookAgain : kind;
+  event.kind = found.undecided ? Event::Kind::Horizon : kind;
   event.time = found.time;
   event.other = static_cast<std::uint32_t>(other);
   event.shape = static_cast<std::uint16_t>(shape);
@@ -69,7 +69,7 @@ private:
 
 // `search(shape, from, until)` finds the first contact with a shape of this body.
 template <typename Search>
-void lookAtShape(const BallRecord& ball, const BodyRecord& body, std::size_t b, std::size_t s, const Planes& planes,
+void searchShape(const BallRecord& ball, const BodyRecord& body, std::size_t b, std::size_t s, const Planes& planes,
                  double t, double until, const Search& search, Event& next)
 {
   if (ball.supports.has(b, s) || planes.cover(b, body.moving, body.shapes()[s])) return;
@@ -77,7 +77,7 @@ void lookAtShape(const BallRecord& ball, const BodyRecord& body, std::size_t b, 
   if (found.time < next.time) next = toEvent(found, Event::Kind::HitBody, b, s, body.version);
 }
 
-void lookAtStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t,
+void searchStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t,
                      const Box& way, Event& next)
 {
   for (std::size_t s = 0; s < body.placed.size(); ++s)
@@ -85,18 +85,18 @@ void lookAtStillBody(const BallRecord& ball, const BodyRecord& body, std::size_t
     if (!way.overlaps(body.boxes[s])) continue;
     const auto search = [&](double from, double until)
     { return firstContact(ball.path, ball.params().radius, body.placed[s], from, until); };
-    lookAtShape(ball, body, b, s, planes, t, kNever, search, next);
+    searchShape(ball, body, b, s, planes, t, kNever, search, next);
   }
 }
 
-void lookAtMovingBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t,
+void searchMovingBody(const BallRecord& ball, const BodyRecord& body, std::size_t b, const Planes& planes, double t,
                       double until, Event& next)
 {
   for (std::size_t s = 0; s < body.body.shapes.size(); ++s)
   {
     const auto search = [&](double from, double before)
     { return firstContact(ball.path, ball.params().radius, body.body.shapes[s], body.motion, from, before); };
-    lookAtShape(ball, body, b, s, planes, t, until, search, next);
+    searchShape(ball, body, b, s, planes, t, until, search, next);
   }
 }
 
@@ -110,14 +110,14 @@ Event endOfPath(const BallRecord& ball, double t)
   }
   if (!liesStill(ball) && t + kHorizon < end.time)
   {
-    end.kind = Event::Kind::LookAgain;
+    end.kind = Event::Kind::Horizon;
     end.time = t + kHorizon;
   }
   return end;
 }
 }  // namespace
 
-void foresee(WorldState& world, std::size_t i, double t)
+void predictStill(WorldState& world, std::size_t i, double t)
 {
   BallRecord& ball = world.balls[i];
   ball.next = Event();
@@ -129,10 +129,10 @@ void foresee(WorldState& world, std::size_t i, double t)
   way.high.array() += kSlack;
   const Planes planes(world, ball, t);
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
-    if (!world.bodies[b].moving) lookAtStillBody(ball, world.bodies[b], b, planes, t, way, ball.next);
+    if (!world.bodies[b].moving) searchStillBody(ball, world.bodies[b], b, planes, t, way, ball.next);
 }
 
-void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end, Records& records)
+void predictBall(WorldState& world, std::size_t i, std::size_t k, double resume, double window_end, Records& records)
 {
   BallRecord& mine = world.balls[i];
   BallRecord& other = world.balls[k];
@@ -144,24 +144,24 @@ void foreseeBall(WorldState& world, std::size_t i, std::size_t k, double resume,
   const Detection found =
       firstContact(first.path, first.params().radius, second.path, second.params().radius, from, until);
   if (!(found.time < mine.meetsBall())) return;
-  mine.passing.make().ball = toEvent(found, Event::Kind::HitBall, k, 0, other.version);
+  mine.transient.make().ball = toEvent(found, Event::Kind::HitBall, k, 0, other.version);
   if (found.time < other.meetsBall())
-    other.passing.make().ball = toEvent(found, Event::Kind::HitBall, i, 0, mine.version);
+    other.transient.make().ball = toEvent(found, Event::Kind::HitBall, i, 0, mine.version);
 }
 
-void foreseeMoving(WorldState& world, std::size_t i, double t, double window_end)
+void predictMoving(WorldState& world, std::size_t i, double t, double window_end)
 {
   BallRecord& ball = world.balls[i];
   Event next;
   const Planes planes(world, ball, t);
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
-    if (world.bodies[b].moving && !ball.away()) lookAtMovingBody(ball, world.bodies[b], b, planes, t, window_end, next);
+    if (world.bodies[b].moving && !ball.away()) searchMovingBody(ball, world.bodies[b], b, planes, t, window_end, next);
   if (next.time < kNever)
-    ball.passing.make().moving = next;
+    ball.transient.make().moving = next;
   else if (ball.meetsBall() < kNever)
-    ball.passing->moving = next;
+    ball.transient->moving = next;
   else
-    ball.passing.reset();
+    ball.transient.reset();
 }
 
 bool stillTrue(const WorldState& world, const Event& event)

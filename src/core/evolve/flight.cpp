@@ -27,18 +27,18 @@ void bendBy(const Vector3d& a, Segment& path)
   path.c[2] = 0.5 * a;
 }
 
-void giveFurtherTerms(double spin_decay, Segment& path)
+void giveHigherCoefficients(double spin_decay, Segment& path)
 {
-  FurtherTerms& further = path.further.make();
-  further.turn_WB.setZero();
-  further.alpha_WB.setZero();
-  further.spin.reset();
-  further.spin_decay = spin_decay;
+  HigherCoefficients& higher = path.higher.make();
+  higher.pending_rotation.setZero();
+  higher.alpha_WB.setZero();
+  higher.spin.reset();
+  higher.spin_decay = spin_decay;
 }
 
-constexpr double kSweepsShare = 0.1;  // of the tolerance, left to the sweeps
-constexpr int kMaxSweeps = 40;
-constexpr double kLongestPiece = 1.0;  // [s]
+constexpr double kIterationsShare = 0.1;  // of the tolerance, left to the iteration
+constexpr int kMaxIterations = 40;        // a piece that needs more is tried again, shorter
+constexpr double kLongestPiece = 1.0;  // more than a ball flies over a table: bounds of its acceleration stay tight [s]
 constexpr double kFirstTry = 3.0;      // length of the first piece, by tolerance^(1/(N+1)) / rate of the flow
 constexpr double kNoKink = std::numeric_limits<double>::infinity();  // [s]
 
@@ -90,18 +90,18 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
   if (spin_decay > 0.0) fade = (-spin_decay * h * points.nodes.array()).exp();
   Rows v = firstGuess<N>(model, path, h, points);
   Rows a;
-  // Picard sweeps: each gains one power of h times the rate of the flow.
+  // Picard iterations: each gains one power of h times the rate of the flow.
   const double rounding = 1e-15 * v0.norm();
   double before = 0.0;
-  for (int sweep = 0;; ++sweep)
+  for (int iteration = 0;; ++iteration)
   {
     a = model.accelerations<N>(v, path.w_WB, fade);
     const Rows next = (h * (points.integral * a)).rowwise() + v0.transpose();
     const double change = (next - v).cwiseAbs().maxCoeff();
     v = next;
-    // The next sweep would change the velocity by about change^2 / before, and that the position after a second.
-    if (change * std::min(1.0, change / before) <= kSweepsShare * tolerance || change <= rounding) break;
-    if (sweep == kMaxSweeps || !(change < 1e6))
+    // The next iteration would change the velocity by about change^2 / before, and that the position after a second.
+    if (change * std::min(1.0, change / before) <= kIterationsShare * tolerance || change <= rounding) break;
+    if (iteration == kMaxIterations || !(change < 1e6))
     {
       path.degree = 0;
       excess = 1e6;
@@ -117,7 +117,7 @@ bool collocate(const FlightModel& model, double h, double tolerance, Segment& pa
 constexpr double kCostOfATurn = 1e-4;  // more than a piece across such a turn is ever wrong by [m]
 constexpr double kTooSoon = 1e-7;      // a kink that close to the start is the one that the last piece ended at [s]
 
-// First time on the piece at which `beyond` is true, which is false at its start: to 1e-12 s, if some look sees it.
+// First time on the piece at which `beyond` is true, which is false at its start: to 1e-12 s, if some sample sees it.
 template <typename Beyond>
 double firstBeyond(const Beyond& beyond, double h, int looks)
 {
@@ -171,7 +171,7 @@ template <int N>
 void flyThroughAir(const FlightModel& model, double tolerance, Segment& path)
 {
   constexpr int kCuts = 8;
-  double& next_piece = path.further->next_piece;
+  double& next_piece = path.higher->next_piece;
   double h =
       next_piece > 0.0 ? next_piece : kFirstTry * std::pow(tolerance, 1.0 / (N + 1)) / model.rate(path.c[1], path.w_WB);
   h = std::min(h, kLongestPiece);
@@ -205,9 +205,9 @@ void fly(const BallState& state, double start, const FlightModel& model, double 
 {
   startAt(state, start, path);
   if (model.constant() && model.spinDecay() == 0.0)
-    path.further.reset();
+    path.higher.reset();
   else
-    giveFurtherTerms(model.spinDecay(), path);
+    giveHigherCoefficients(model.spinDecay(), path);
   if (model.constant()) return bendBy(model.acceleration(state.v_WB, state.w_WB), path);
   const int degree = pieceDegree(tolerance);
   if (degree == 5)

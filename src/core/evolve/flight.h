@@ -19,7 +19,7 @@ constexpr int pieceDegree(double tolerance)
 /// Flight under the model's forces: a parabola if its acceleration is constant; else one polynomial piece by collocation at
 /// Gauss-Legendre points (Hairer, Norsett, Wanner, "Solving ODEs I", II.7), as long as its error allows.
 /// @param tolerance  error of the position that the piece may leave after a second [m]
-/// @param path       in: any; if its further terms know the length of the next piece, that is what is tried first
+/// @param path       in: any; if its higher coefficients know the length of the next piece, that is what is tried first
 void fly(const BallState& state, double start, const FlightModel& model, double tolerance, Segment& path);
 
 /// Orientation after turning with constant spin w (in W) for s [s].

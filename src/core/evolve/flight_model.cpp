@@ -10,13 +10,13 @@ namespace ping_pong
 namespace
 {
 // Index of the interval of `nodes` that holds x, and how far x is along it; clamped to the ends.
-struct Place
+struct TableCell
 {
   std::size_t index;
   double part;
 };
 
-Place placeIn(const std::vector<double>& nodes, double x)
+TableCell cellIn(const std::vector<double>& nodes, double x)
 {
   if (nodes.size() < 2 || x <= nodes.front()) return {0, 0.0};
   if (x >= nodes.back()) return {nodes.size() - 2, 1.0};
@@ -29,7 +29,7 @@ double tableLift(const LiftLaw& law, double S)
 {
   count(Law::LiftTable);
   if (S <= law.spin_ratio.front()) return law.values.front() / law.spin_ratio.front();
-  const Place at = placeIn(law.spin_ratio, S);
+  const TableCell at = cellIn(law.spin_ratio, S);
   const std::size_t next = std::min(at.index + 1, law.values.size() - 1);
   return ((1.0 - at.part) * law.values[at.index] + at.part * law.values[next]) / S;
 }
@@ -47,8 +47,8 @@ double DragLaw::at(double reynolds_number, double spin_ratio_now) const
   const double S2 = spin_ratio_now * spin_ratio_now;
   if (values.empty()) return without_spin + (with_spin - without_spin) * S2 / (S2 + half_at * half_at);
   count(Law::DragTable);
-  const Place row = placeIn(reynolds, reynolds_number);
-  const Place column = placeIn(spin_ratio, spin_ratio_now);
+  const TableCell row = cellIn(reynolds, reynolds_number);
+  const TableCell column = cellIn(spin_ratio, spin_ratio_now);
   const std::size_t columns = spin_ratio.size();
   const std::size_t next_row = std::min(row.index + 1, reynolds.size() - 1);
   const std::size_t next_column = std::min(column.index + 1, columns - 1);
@@ -107,7 +107,7 @@ EIGEN_STRONG_INLINE double FlightModel::rimSpeed(const Vector3d& w_WB) const
   return radius_ * w_WB.norm();
 }
 
-// k_D C_D |u| for speeds through the air, their squares and rim speeds r w [1/s]. Without air speed there is no drag. (The
+// k_D C_D |u| for speeds through the air, their squares and surface speeds r w [1/s]. Without air speed there is no drag. (The
 // quotient is of squares: it does not wait for the root.)
 template <int N>
 EIGEN_STRONG_INLINE FlightModel::Column<N> FlightModel::dragFactors(const Column<N>& speed, const Column<N>& speed2,

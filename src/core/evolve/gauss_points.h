@@ -80,7 +80,7 @@ struct GaussPoints
   }
 };
 
-/// Where Legendre coefficients fall fast, the error is this part of the last one's share or less.
+/// Where Legendre coefficients fall fast, the error is this part of the last one or less.
 template <int N>
 constexpr double kShareOfLast = N < 6 ? 2e-2 : 1e-2;
 constexpr double kRally = 1.0;  // an error of the velocity lasts so long [s]

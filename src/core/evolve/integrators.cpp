@@ -28,16 +28,16 @@ Segment flyRk4(const BallState& state, double start, const FlightModel& model, d
   const Vector3d a = model.acceleration(state.v_WB, state.w_WB);
   Segment path = flyParabola(state, start, a);
   path.end = start + h;
-  if (model.spinDecay() != 0.0) path.further.make().spin_decay = model.spinDecay();
+  if (model.spinDecay() != 0.0) path.higher.make().spin_decay = model.spinDecay();
   if (model.constant()) return path;
   Flight end{state.p_WB, state.v_WB, state.w_WB};
   stepRk4(end, model, h);
   const Vector3d p = end.p - path.position(h);        // what the parabola misses: c3 h^3 + c4 h^4
   const Vector3d v = h * (end.v - path.velocity(h));  // 3 c3 h^3 + 4 c4 h^4
   path.degree = 4;
-  FurtherTerms& further = path.further.make();
-  further.c[0] = (4.0 * p - v) / (h * h * h);
-  further.c[1] = (v - 3.0 * p) / (h * h * h * h);
+  HigherCoefficients& higher = path.higher.make();
+  higher.c[0] = (4.0 * p - v) / (h * h * h);
+  higher.c[1] = (v - 3.0 * p) / (h * h * h * h);
   path.boundAcceleration();
   return path;
 }

@@ -14,7 +14,7 @@ namespace
 {
 Polynomial polynomialOf(const Segment& path)
 {
-  return {path.degree, path.c.data(), path.further ? path.further->c.data() : nullptr};
+  return {path.degree, path.c.data(), path.higher ? path.higher->c.data() : nullptr};
 }
 }  // namespace
 
@@ -36,10 +36,10 @@ Vector3d Segment::spin(double s) const
   const double decay = spinDecay();
   if (decay > 0.0) count(Law::SpinDecay);
   const Vector3d w = decay > 0.0 ? Vector3d(std::exp(-decay * s) * w_WB) : w_WB;
-  if (!further || !further->spin) return w + s * alpha_WB();
+  if (!higher || !higher->spin) return w + s * alpha_WB();
   Vector3d sum = Vector3d::Zero();
-  for (std::size_t k = further->spin->c.size(); k-- > 0;) sum = sum * s + further->spin->c[k];
-  return w + s * (further->alpha_WB + s * sum);
+  for (std::size_t k = higher->spin->c.size(); k-- > 0;) sum = sum * s + higher->spin->c[k];
+  return w + s * (higher->alpha_WB + s * sum);
 }
 
 namespace
@@ -68,13 +68,13 @@ Quaterniond turnedAboutMovingAxis(const Segment& path, double s)
 Quaterniond Segment::orientation(double s) const
 {
   const Vector3d alpha = alpha_WB();
-  if ((further && further->spin) || !alpha.cross(w_WB).isZero(0.0)) return turnedAboutMovingAxis(*this, s);
-  return turned(q_WB, turn_WB() + turnIn(w_WB, spinDecay(), s) + (0.5 * s * s) * alpha, 1.0);
+  if ((higher && higher->spin) || !alpha.cross(w_WB).isZero(0.0)) return turnedAboutMovingAxis(*this, s);
+  return turned(q_WB, pending_rotation() + turnIn(w_WB, spinDecay(), s) + (0.5 * s * s) * alpha, 1.0);
 }
 
 BallState Segment::state(double s) const
 {
-  const bool turns = further && (further->spin || !further->alpha_WB.isZero(0.0) || !further->turn_WB.isZero(0.0));
+  const bool turns = higher && (higher->spin || !higher->alpha_WB.isZero(0.0) || !higher->pending_rotation.isZero(0.0));
   if (w_WB.isZero(0.0) && !turns) return {position(s), q_WB, velocity(s), w_WB};
   return {position(s), orientation(s), velocity(s), spin(s)};
 }
@@ -109,7 +109,7 @@ void Segment::boundAcceleration()
   std::array<Vector3d, kMaxDegree - 1> powers;
   double power = 1.0;
   for (int k = 0; k <= n; ++k, power *= h) powers[k] = (k + 2) * (k + 1) * power * coefficient(k + 2);
-  Vector3d &low = further->a_low, &high = further->a_high;
+  Vector3d &low = higher->a_low, &high = higher->a_high;
   low = high = 2.0 * c[2];
   for (int i = 1; i <= n; ++i)
   {

@@ -7,7 +7,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMaxSteps = 64;
+constexpr int kMaxSteps = 64;            // a bound: rounding may keep the last step from being the last
 constexpr double kTouching = 1e-12;      // [m]
 constexpr double kRelativeGain = 1e-12;  // an improvement below this part of the squared distance is none
 constexpr double kDegenerate = 1e-24;    // determinant / product of squared edges of a simplex without extent
@@ -40,17 +40,10 @@ bool nearestOn(const Simplex& simplex, unsigned choice, Vector3d& nearest)
   for (int i = 0; i < simplex.count; ++i)
     if (choice >> i & 1u) p[n++] = simplex.points[i];
   nearest = p[0];
-  switch (n)
-  {
-    case 1:
-      return true;
-    case 2:
-      return nearestInside<1>(p, nearest);
-    case 3:
-      return nearestInside<2>(p, nearest);
-    default:
-      return nearestInside<3>(p, nearest);
-  }
+  if (n == 1) return true;
+  if (n == 2) return nearestInside<1>(p, nearest);
+  if (n == 3) return nearestInside<2>(p, nearest);
+  return nearestInside<3>(p, nearest);  // of four points at most
 }
 
 // Keeps the part of the simplex that is nearest to the origin.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/gjk.h"
+#include "geometry/tangential.h"
 
 namespace ping_pong
 {
@@ -12,7 +13,7 @@ namespace
 {
 // Round shapes nearer than this by their axes are looked at closely.
 constexpr double kNear = 1e-3;  // [m]
-constexpr int kMaxClimb = 60;
+constexpr int kMaxClimb = 60;   // 20 halvings of the step lead from 0.1 rad to the least one; the rest are steps uphill
 constexpr double kLeastClimb = 1e-7;  // [rad]
 
 // A shape with its axes in the world.
@@ -80,7 +81,7 @@ public:
     {
       const Vector3d n = best_.n_W;
       const Vector3d d = best_.p_WC - b_.furthest(n);
-      const Vector3d uphill = d - n.dot(d) * n;
+      const Vector3d uphill = tangential(d, n);
       const double slope = uphill.norm();
       if (!(slope > 0.0)) return;
       const double before = best_.gap;

@@ -20,7 +20,7 @@ bool liesOnMovedBody(const WorldWithWindows& world, const BallRecord& ball)
   return false;
 }
 
-// Paddles move differently from now on: what was foreseen with them is void.
+// Paddles move differently from now on: what was predicted with them is void.
 void startWindow(WorldWithWindows& world, double end)
 {
   bool stopped = false;
@@ -40,11 +40,11 @@ void startWindow(WorldWithWindows& world, double end)
     if (liesOnMovedBody(world, ball))
     {
       planPath(world, ball, ball.stateAt(world.time), world.time, end);
-      foresee(world, i, world.time);
+      predictStill(world, i, world.time);
     }
     else if (stopped)
-      foresee(world, i, world.time);
-    if (moving || ball.meetsMoving() < kNever) foreseeMoving(world, i, world.time, end);
+      predictStill(world, i, world.time);
+    if (moving || ball.meetsMoving() < kNever) predictMoving(world, i, world.time, end);
   }
 }
 
@@ -54,8 +54,8 @@ void restartBall(WorldWithWindows& world, std::size_t i)
   ++world.edits;
   if (ball.away()) return;
   planPath(world, ball, ball.stateAt(world.time), world.time, world.time);
-  foresee(world, i, world.time);
-  if (ball.passing) ball.passing->moving = Event();
+  predictStill(world, i, world.time);
+  if (ball.transient) ball.transient->moving = Event();
 }
 
 }  // namespace
@@ -64,19 +64,19 @@ void reserveExact(WorldWithWindows& world, std::size_t balls)
 {
   if (balls < 2) return;
   world.islands.reserve(balls, world.workers.count());
-  reservePile(world, balls);
+  reserveSolver(world, balls);
 }
 
 void startExact(WorldWithWindows& world)
 {
   for (std::size_t i = 0; i < world.balls.size(); ++i) restartBall(world, i);
-  disturbPile(world);
+  disturbSolver(world);
 }
 
 void exactBallChanged(WorldWithWindows& world, std::size_t i)
 {
   BallRecord& ball = world.balls[i];
-  if (ball.ofSolver()) dropFromPile(world.pile, static_cast<std::uint32_t>(i));
+  if (ball.ofSolver()) dropFromSolver(world.solver, static_cast<std::uint32_t>(i));
   ball.owner = BallOwner::Method;
   restartBall(world, i);
 }
@@ -87,7 +87,7 @@ void runExact(WorldWithWindows& world, double end)
   if (world.balls.size() == 1)
   {
     const std::size_t only = 0;
-    if (!world.pile.ball.empty()) leavePile(world, 0, world.time, end);
+    if (!world.solver.ball.empty()) takeFromSolver(world, 0, world.time, end);
     runTogether(world, {world.time, end, end, &only, 1, &world});
   }
   else if (!world.balls.empty())

@@ -6,6 +6,8 @@
 #include "evolve/flight.h"
 #include "evolve/integrators.h"
 #include "ping_pong_sim/resolve.h"
+#include "state/body_gap.h"
+#include "state/contact_log.h"
 
 namespace ping_pong
 {
@@ -23,11 +25,11 @@ struct Instant
 
 using Step = void (*)(Flight&, const FlightModel&, double);
 
-void turnNow(Segment& path)
+void applyPendingRotation(Segment& path)
 {
-  if (!path.further) return;
-  path.q_WB = turned(path.q_WB, path.further->turn_WB, 1.0);
-  path.further->turn_WB.setZero();
+  if (!path.higher) return;
+  path.q_WB = turned(path.q_WB, path.higher->pending_rotation, 1.0);
+  path.higher->pending_rotation.setZero();
 }
 
 BallState stateOf(const BallRecord& ball)
@@ -38,7 +40,7 @@ BallState stateOf(const BallRecord& ball)
 void store(BallRecord& ball, const BallState& state)
 {
   Segment& path = ball.path;
-  if (path.w_WB != state.w_WB) turnNow(path);  // from now on it turns about another axis
+  if (path.w_WB != state.w_WB) applyPendingRotation(path);  // from now on it turns about another axis
   path.c[0] = state.p_WB;
   path.c[1] = state.v_WB;
   path.w_WB = state.w_WB;
@@ -51,24 +53,13 @@ bool worthAReport(const WorldState& world, double closing, double h)
   return closing * closing > (1.0 + kRounding) * h * h * world.scene.forces.gravity.squaredNorm();
 }
 
-// Counts an impact: a new record of what happens to the ball now, with its velocities before, or nullptr if none are kept.
-Contact* open(WorldState& world, const BallRecord& ball, double t)
+void record(WorldState& world, const BallRecord& ball, const HitObject& other, double t, const BallState& before,
+            const BallState& after, const Vector3d& n, const Vector3d& u)
 {
-  ++world.status.contacts;
-  if (!world.keep_contacts) return nullptr;
-  Contact& contact = world.contacts.emplace_back();
-  contact.time = t;
-  contact.ball = ball.id;
-  contact.v_before = ball.path.c[1];
-  contact.w_before = ball.path.w_WB;
-  return &contact;
-}
-
-void close(Contact& contact, const BallRecord& ball)
-{
-  contact.v_after = ball.path.c[1];
-  contact.w_after = ball.path.w_WB;
-  contact.impulse = ball.params().mass * (contact.v_after - contact.v_before);
+  const std::size_t i = static_cast<std::size_t>(&ball - world.balls.data());
+  recordContact(world, ball, i, other,
+                {t, n, u, before.p_WB, before.v_WB, after.v_WB, before.w_WB, after.w_WB,
+                 impulseOf(ball, before.v_WB, after.v_WB)});
 }
 
 // --- evolve ---
@@ -89,10 +80,10 @@ void fly(WorldState& world, double h)
     path.c[0] = after.p;
     path.c[1] = after.v;
     if (path.w_WB.isZero(0.0)) continue;
-    Vector3d& turn_WB = path.further.make().turn_WB;
-    turn_WB += turnIn(path.w_WB, ball.model().spinDecay(), h);
+    Vector3d& pending_rotation = path.higher.make().pending_rotation;
+    pending_rotation += turnIn(path.w_WB, ball.model().spinDecay(), h);
     path.w_WB = after.w;
-    if (turn_WB.squaredNorm() > kLongestTurn * kLongestTurn) turnNow(path);
+    if (pending_rotation.squaredNorm() > kLongestTurn * kLongestTurn) applyPendingRotation(path);
   }
 }
 
@@ -114,36 +105,23 @@ bool clearOf(const Shape& shape, const Vector3d& p_BQ, double radius)
   return ((q.cwiseAbs() - shape.half_size).array() >= radius).any();
 }
 
-// A still body's shapes are in the world frame.
-Gap gapOf(const BodyRecord& body, const Shape& shape, const BodyFrame& frame, const BallState& ball, double radius)
-{
-  if (body.moving) return gapTo(shape, frame, ball.p_WB, ball.v_WB, radius);
-  const Proximity near = proximity(shape, ball.p_WB);
-  return {near.distance - radius, near.normal.dot(ball.v_WB), near.normal};
-}
-
 // Closest point, push out, reflect with loss.
 void collideWithShape(WorldState& world, BallRecord& ball, std::size_t b, std::size_t s, const BodyFrame& frame,
                       const Instant& now)
 {
   const Shape& shape = world.bodies[b].shapes()[s];
   BallState state = stateOf(ball);
-  const Gap gap = gapOf(world.bodies[b], shape, frame, state, ball.params().radius);
+  const Gap gap = gapOver(world.bodies[b], shape, state, ball.params().radius, now.t);
   if (gap.gap >= 0.0) return;
   state.p_WB -= gap.gap * gap.n_W;
   if (gap.rate >= 0.0) return store(ball, state);
   const Vector3d p_WC = state.p_WB - ball.params().radius * gap.n_W;
   const Vector3d u = world.bodies[b].moving ? frame.pointVelocity(p_WC) : Vector3d::Zero();
-  Contact* contact = worthAReport(world, -gap.rate, now.h) ? open(world, ball, now.t) : nullptr;
+  const BallState before = state;
   bounce(world.surface(ball, shape), ball.params(), state, u, gap.n_W);
   store(ball, state);
-  if (contact == nullptr) return;
-  contact->body = b;
-  contact->shape = s;
-  contact->n_W = gap.n_W;
-  contact->p_WC = p_WC;
-  contact->v_other = u;
-  close(*contact, ball);
+  if (worthAReport(world, -gap.rate, now.h))
+    record(world, ball, HitObject::shapeOf(b, s), now.t, before, state, gap.n_W, u);
 }
 
 void collideWithMoving(WorldState& world, std::size_t b, const BodyFrame& frame, const Instant& now)
@@ -152,7 +130,7 @@ void collideWithMoving(WorldState& world, std::size_t b, const BodyFrame& frame,
   for (BallRecord& ball : world.balls)
     for (std::size_t s = 0; s < shapes.size(); ++s)
     {
-      count(meeting(shapes[s].kind));
+      count(meetingLaw(shapes[s].kind));
       count(Law::MeetMoving);
       const Vector3d p_BQ = frame.R_WB.transpose() * (ball.path.c[0] - frame.p_WB);
       if (!clearOf(shapes[s], p_BQ, ball.params().radius)) collideWithShape(world, ball, b, s, frame, now);
@@ -166,7 +144,7 @@ void collideWithStill(WorldState& world, std::size_t b, const Instant& now)
   for (BallRecord& ball : world.balls)
     for (std::size_t s = 0; s < body.placed.size(); ++s)
     {
-      count(meeting(body.placed[s].kind));
+      count(meetingLaw(body.placed[s].kind));
       const double radius = ball.params().radius;
       if (!clearOf(body.boxes[s], ball.path.c[0], radius) && !clearOf(body.placed[s], ball.path.c[0], radius))
         collideWithShape(world, ball, b, s, kStill, now);
@@ -192,11 +170,11 @@ void collidePair(WorldState& world, BallRecord& a, BallRecord& b, const Instant&
   const double distance = d.norm();
   const double overlap = a.params().radius + b.params().radius - distance;
   const Vector3d n = distance > 0.0 ? Vector3d(d / distance) : Vector3d(Vector3d::UnitZ());
-  const double share = b.params().mass / (a.params().mass + b.params().mass);  // the lighter ball gives way further
-  state_a.p_WB += share * overlap * n;
-  state_b.p_WB -= (1.0 - share) * overlap * n;
+  const double part_of_a = b.params().mass / (a.params().mass + b.params().mass);  // the lighter ball gives way further
+  state_a.p_WB += part_of_a * overlap * n;
+  state_b.p_WB -= (1.0 - part_of_a) * overlap * n;
   const double closing = -n.dot(state_a.v_WB - state_b.v_WB);
-  Contact* contact = closing > 0.0 && worthAReport(world, closing, now.h) ? open(world, a, now.t) : nullptr;
+  const BallState before = state_a;
   const Vector3d p_WC = state_a.p_WB - a.params().radius * n;
   const Vector3d v_other = state_b.v_WB + state_b.w_WB.cross(p_WC - state_b.p_WB);
   if (closing > 0.0)
@@ -206,13 +184,8 @@ void collidePair(WorldState& world, BallRecord& a, BallRecord& b, const Instant&
   }
   store(a, state_a);
   store(b, state_b);
-  if (contact == nullptr) return;
-  contact->with_ball = true;
-  contact->other_ball = b.id;
-  contact->n_W = n;
-  contact->p_WC = p_WC;
-  contact->v_other = v_other;
-  close(*contact, a);
+  if (closing > 0.0 && worthAReport(world, closing, now.h))
+    record(world, a, HitObject::ballOf(b.id), now.t, before, state_a, n, v_other);
 }
 
 void collidePairs(WorldState& world, const Instant& now)

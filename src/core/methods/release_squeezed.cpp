@@ -18,17 +18,17 @@ void releaseSqueezed(WorldWithWindows& world)
     const BallState state = ball.stateAt(world.time);
     const double radius = ball.params().radius;
     const bool has_room =
-        ball.ofSolver() ? hasRoomInPile(world, state.p_WB, radius, i) : hasRoom(world, state.p_WB, radius, i);
+        ball.ofSolver() ? hasRoomInSolver(world, state.p_WB, radius, i) : hasRoom(world, state.p_WB, radius, i);
     world.any_squeezed |= !has_room;
     if (!has_room) continue;
     if (ball.ofSolver())
     {
-      addToPile(world, static_cast<std::uint32_t>(i), world.time);
+      addToSolver(world, static_cast<std::uint32_t>(i), world.time);
       continue;
     }
     ball.owner = BallOwner::Method;
     planPath(world, ball, state, world.time, world.time);
-    foresee(world, i, world.time);
+    predictStill(world, i, world.time);
   }
 }
 }  // namespace ping_pong

@@ -18,7 +18,7 @@ constexpr double kPushOutSpeed = 1.0;      // [m/s]
 constexpr double kSlowest = 1e-12;         // closing slower than this is none [m/s]
 constexpr double kShortest = 1e-5;         // a motion cut shorter than this stops instead [s]
 constexpr double kForever = std::numeric_limits<double>::infinity();
-constexpr int kMaxLooks = 64;
+constexpr int kMaxSamples = 64;  // the motion ends where they end, and goes on with the next one
 constexpr int kMaxProjections = 16;
 
 // Speed of any point of the body over [0, h] is at most this.
@@ -108,7 +108,7 @@ double clearUntil(const std::vector<Shape>& shapes, const BodyMotion& motion, do
 {
   const SpeedBound bound(shapes, motion, h);
   double s = 0.0;
-  for (int look = 0; look < kMaxLooks && s < h; ++look)
+  for (int sample = 0; sample < kMaxSamples && s < h; ++sample)
   {
     const Pose now = motion.poseAt(s);
     double step = h - s;

@@ -9,7 +9,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMaxRounds = 20;
+constexpr int kMaxRounds = 20;      // a bound: near the answer each doubles the digits
 constexpr double kMet = 1e-14;      // what is left, as a part of the scale of accelerations and forces
 constexpr double kNoPivot = 1e-12;  // forces that hold each other stay as they are
 
@@ -60,9 +60,9 @@ struct Remainder
     slope.row(row) = matrix.row(row);
   }
 
-  // Within `share` of the load.
+  // Within `coefficient` times the load.
   template <int kSize>
-  void addLimited(int& next, int load, double share, double give)
+  void addLimited(int& next, int load, double coefficient, double compliance)
   {
     using Part = Eigen::Matrix<double, kSize, 1>;
     const int row = next;
@@ -72,21 +72,21 @@ struct Remainder
       for (int i = 0; i < kSize; ++i) keep(row + i);
       return;
     }
-    const Part wanted = x.segment<kSize>(row) - give * w.segment<kSize>(row);
-    const double size = wanted.norm(), limit = share * x[load];
+    const Part wanted = x.segment<kSize>(row) - compliance * w.segment<kSize>(row);
+    const double size = wanted.norm(), limit = coefficient * x[load];
     if (size <= limit)
     {
-      value.segment<kSize>(row) = give * w.segment<kSize>(row);
-      slope.middleRows<kSize>(row) = give * matrix.middleRows<kSize>(row);
+      value.segment<kSize>(row) = compliance * w.segment<kSize>(row);
+      slope.middleRows<kSize>(row) = compliance * matrix.middleRows<kSize>(row);
       return;
     }
     const Part along = wanted / size;
     const Eigen::Matrix<double, kSize, kSize> turns =
         limit / size * (Eigen::Matrix<double, kSize, kSize>::Identity() - along * along.transpose());
     value.segment<kSize>(row) = x.segment<kSize>(row) - limit * along;
-    slope.middleRows<kSize>(row) = give * turns * matrix.middleRows<kSize>(row);
+    slope.middleRows<kSize>(row) = compliance * turns * matrix.middleRows<kSize>(row);
     slope.block<kSize, kSize>(row, row) += Eigen::Matrix<double, kSize, kSize>::Identity() - turns;
-    slope.block<kSize, 1>(row, load) -= share * along;
+    slope.block<kSize, 1>(row, load) -= coefficient * along;
   }
 };
 }  // namespace

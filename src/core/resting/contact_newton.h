@@ -1,4 +1,4 @@
-// Newton's method on the contact problem: where sweeps come to their end slowly, or stop short of it.
+// Newton's method on the contact problem: where iterations converge slowly, or stop short of it.
 #pragma once
 
 #include "resting/contact_problem.h"

@@ -4,19 +4,19 @@
 #include <limits>
 
 #include "base/law_counter.h"
+#include "resting/constrained_forces.h"
 #include "resting/contact_newton.h"
-#include "resting/held_forces.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr int kMaxSweeps = 400;
-constexpr int kPatience = 100;   // sweeps, before it is asked whether supports press on each other
-constexpr int kSlowSweeps = 20;  // with so many left to do, Newton's method is tried
+constexpr int kMaxIterations = 400;  // Newton takes over before, where they converge slowly
+constexpr int kPatience = 100;       // iterations, before it is asked whether supports press on each other
+constexpr int kSlowIterations = 20;  // with so many left to do, Newton's method is tried
 constexpr double kConverged =
-    4e-15;  // change of a force in a sweep, as a part of the scale of accelerations and forces
-constexpr double kGoodEnough = 1e-4;  // where sweeps come to their end slowly; where there is no end they grow
+    4e-15;  // change of a force in an iteration, as a part of the scale of accelerations and forces
+constexpr double kGoodEnough = 1e-4;  // where iterations converge slowly; where there is no end they grow
 
 Vector3d limited(const Vector3d& f, double most)
 {
@@ -25,7 +25,7 @@ Vector3d limited(const Vector3d& f, double most)
 }
 
 // The state of one solution under way.
-struct Sweeper
+struct PicardIteration
 {
   const ContactProblem& problem;
   BallAcceleration& motion;
@@ -74,7 +74,7 @@ struct Sweeper
     const double limit = rollLimit(*problem.law[i], problem.k, force.load);
     const Vector3d torque = mode.roll == Resistance::Slips
                                 ? Vector3d(-limit * mode.roll_direction)
-                                : limited(force.roll - tangentialTo(at.n, motion.b) - at.roll_bias, limit);
+                                : limited(force.roll - tangential(motion.b, at.n) - at.roll_bias, limit);
     note((torque - force.roll).norm(), torque.norm());
     motion.b += torque - force.roll;
     force.roll = torque;
@@ -94,7 +94,7 @@ struct Sweeper
     force.spin = torque;
   }
 
-  void sweep()
+  void iteration()
   {
     change = largest = 0.0;
     for (std::size_t i = 0; i < problem.count; ++i)
@@ -167,19 +167,19 @@ bool findForces(const ContactProblem& problem, BallAcceleration& motion, Support
   const double scale = scaleOf(problem);
   motion = problem.free;
   for (std::size_t i = 0; i < problem.count; ++i) forces[i] = SupportForce();
-  Sweeper sweeper{problem, motion, forces};
-  for (int i = 0; i < kMaxSweeps; ++i)
+  PicardIteration picard{problem, motion, forces};
+  for (int i = 0; i < kMaxIterations; ++i)
   {
-    sweeper.sweep();
-    if (sweeper.change <= kConverged * (scale + sweeper.largest)) return true;
+    picard.iteration();
+    if (picard.change <= kConverged * (scale + picard.largest)) return true;
     if ((i == 20 || i == 100) && polishForces(problem, motion, forces)) return true;
-    // Sweeps that come to the border of what can be held do so without end.
+    // Iterations that come to the border of what can be held do so without end.
     if (i == kPatience &&
         allHold(withLoads(problem, &forces, kContactRounding * scale), SupportForces(), true, motion, forces))
       return true;
-    if (!(sweeper.change < 1e9 * scale)) return false;
+    if (!(picard.change < 1e9 * scale)) return false;
   }
-  return sweeper.change <= kGoodEnough * scale;
+  return picard.change <= kGoodEnough * scale;
 }
 
 std::array<SupportMode, kMaxSupports> modesOf(const ContactProblem& problem, const BallAcceleration& motion,

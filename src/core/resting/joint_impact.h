@@ -1,4 +1,4 @@
-// The impact of a ball on several surfaces at once, which ends a long streak of contacts.
+// The impact of a ball on several surfaces at once, which ends a long row of quick contacts.
 #pragma once
 
 #include "state/world_state.h"

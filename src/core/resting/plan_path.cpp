@@ -7,7 +7,8 @@
 #include "evolve/flight.h"
 #include "evolve/integrators.h"
 #include "resting/at_once.h"
-#include "resting/held_piece.h"
+#include "resting/constrained_piece.h"
+#include "state/body_gap.h"
 #include "state/collapse_guard.h"
 
 namespace ping_pong
@@ -19,24 +20,24 @@ constexpr double kStillSpeed = 1e-12;       // below: rounding, the ball lies st
 constexpr double kRoundedFraction = 1e-12;  // accelerations below this part of all there are are rounding
 constexpr double kTouchedFraction = 1e-7;   // parting with less than this part of them, a ball still touches
 constexpr double kMostTouched = 1e-3;       // the same where contact and parting have followed each other without end
-constexpr int kProjections = 4;
-constexpr double kNearlyParallel = 0.02;   // angle between two normals [rad]
-constexpr double kShareOfPieces = 0.1;     // of the tolerance
-constexpr double kLeastTolerance = 1e-14;  // rounding [m]
-constexpr double kTouchedGap = 1e-12;      // a surface this near is touched [m]
-constexpr double kSameNormal = 1e-7;       // difference of normals of surfaces that continue each other
+constexpr int kProjections = 4;             // rounds of Newton: from 1e-6 m to rounding in two
+constexpr double kNearlyParallel = 0.02;    // angle between two normals [rad]
+constexpr double kShareOfPieces = 0.1;      // of the tolerance
+constexpr double kLeastTolerance = 1e-14;   // rounding [m]
+constexpr double kTouchedGap = 1e-12;       // a surface this near is touched [m]
+constexpr double kSameNormal = 1e-7;        // difference of normals of surfaces that continue each other
 
 // What can be stopped within the grip time is stopped at once: the error is a fraction of g t^2, of the tolerance. Paths that
 // end one after the other in no time make it longer, so that they come to an end.
 constexpr double kShareOfStops = 1e-3;       // of the tolerance
-constexpr double kUsualAcceleration = 10.0;  // [m/s^2]
-constexpr double kShortestGrip = 3e-8;       // [s]
+constexpr double kUsualAcceleration = 10.0;  // about gravity [m/s^2]
+constexpr double kShortestGrip = 3e-8;       // g t^2 is 1e-14 m: rounding [s]
 constexpr double kShortestPiece = 3e-8;      // [s]
-constexpr double kLongestGrip = 1e-3;        // [s]
+constexpr double kLongestGrip = 1e-3;        // stops what slips at 1 cm/s at most [s]
 constexpr double kShortPath = 1e-3;          // [s]
 constexpr double kSameTime = 1e-9;           // [s]
 constexpr double kShortestMotion = 1e-5;     // of a body: a path may be as much longer [s]
-constexpr std::uint32_t kPatience = 50;
+constexpr std::uint32_t kPatience = 50;      // short paths in a row: a few modes may well follow each other at once
 
 // Doubles with every short path beyond patience.
 double grown(double time, const Supports& supports)
@@ -55,13 +56,13 @@ Gap gapOver(const WorldState& world, const BallRecord& ball, const Supports::Sur
             double t)
 {
   const BodyRecord& body = world.bodies[support.body];
-  return gapOver(body, body.shapes()[support.shape], ball, state, t);
+  return gapOver(body, body.shapes()[support.shape], state, ball.params().radius, t);
 }
 
 // Where surfaces throw the ball at each other without end, small impacts are taken by all that it touches.
 double keepSpeed(const BallRecord& ball)
 {
-  return ball.streak > kLongStreak ? kDeadSpeed : kKeepSpeed;
+  return ball.quick_contacts > kManyQuick ? kNoReboundSpeed : kKeepSpeed;
 }
 
 bool touches(const Gap& gap, double keep_speed)
@@ -153,7 +154,7 @@ bool flushFace(const BodyRecord& body, const Shape& shape, const BallRecord& bal
                const Vector3d& n_W, double t)
 {
   if (!onFlat(body, shape, state, t)) return false;
-  const Gap gap = gapOver(body, shape, ball, state, t);
+  const Gap gap = gapOver(body, shape, state, ball.params().radius, t);
   return std::abs(gap.gap) <= flushTolerance(state.p_WB, ball.params().radius) && (gap.n_W - n_W).norm() <= kSameNormal;
 }
 
@@ -232,47 +233,47 @@ bool straight(const Decision& decision, const BallMotion& ball)
   return true;
 }
 
-bool atRest(const HeldBall& held, const Decision& decision, const BallMotion& ball)
+bool atRest(const ConstrainedBall& constrained, const Decision& decision, const BallMotion& ball)
 {
-  for (std::size_t i = 0; i < held.count; ++i)
-    if (!held.surface[i].still) return false;
+  for (std::size_t i = 0; i < constrained.count; ++i)
+    if (!constrained.surface[i].still) return false;
   return ball.v.norm() < kStillSpeed && decision.motion.a.isZero(0.0) && decision.motion.b.isZero(0.0);
 }
 
 // Whether the acceleration stays what it is now for as long as modes and faces do.
-bool steady(const HeldBall& held, const Decision& decision, const BallMotion& ball)
+bool steady(const ConstrainedBall& constrained, const Decision& decision, const BallMotion& ball)
 {
-  if (atRest(held, decision, ball)) return true;
-  if (!held.model.constant()) return false;
-  if (held.model.spinDecay() != 0.0 && !(ball.s.isZero(0.0) && decision.motion.b.isZero(0.0))) return false;
-  for (std::size_t i = 0; i < held.count; ++i)
-    if (!held.surface[i].plane()) return false;
+  if (atRest(constrained, decision, ball)) return true;
+  if (!constrained.model.constant()) return false;
+  if (constrained.model.spinDecay() != 0.0 && !(ball.s.isZero(0.0) && decision.motion.b.isZero(0.0))) return false;
+  for (std::size_t i = 0; i < constrained.count; ++i)
+    if (!constrained.surface[i].plane()) return false;
   return straight(decision, ball);
 }
 
-void moveSteadily(const WorldState& world, BallRecord& ball, const HeldBall& held, const Decision& decision,
-                  const BallMotion& motion, double t, double window_end)
+void moveSteadily(const WorldState& world, BallRecord& ball, const ConstrainedBall& constrained,
+                  const Decision& decision, const BallMotion& motion, double t, double window_end)
 {
   Segment& path = ball.path;
-  const bool still = atRest(held, decision, motion);
+  const bool still = atRest(constrained, decision, motion);
   path.degree = still ? 0 : 2;
   path.c[1] = still ? Vector3d(Vector3d::Zero()) : motion.v;
   path.c[2] = 0.5 * decision.motion.a;
-  if (!decision.motion.b.isZero(0.0)) path.further.make().alpha_WB = decision.motion.b / held.radius;
+  if (!decision.motion.b.isZero(0.0)) path.higher.make().alpha_WB = decision.motion.b / constrained.radius;
   if (still) return;
   path.end = std::min(leavesFirstFace(world, ball.supports, path, t), t + slipsFor(decision));
   // On a moving body the caller plans anew at the next window; the path only has to reach it.
   if (onMovingBody(world, ball.supports) && path.end > window_end) path.end = kNever;
 }
 
-void moveOnPiece(const WorldState& world, BallRecord& ball, const HeldBall& held, const Decision& decision,
-                 const BallMotion& motion, double t, double window_end, double next_piece)
+void moveOnPiece(const WorldState& world, BallRecord& ball, const ConstrainedBall& constrained,
+                 const Decision& decision, const BallMotion& motion, double t, double window_end, double next_piece)
 {
   const bool moving = onMovingBody(world, ball.supports) && window_end > t;
   const double tolerance = std::max(kShareOfPieces * world.scene.tolerance, kLeastTolerance);
-  ball.path.further.make().spin.make().next_piece = next_piece;
-  layHeldPiece(held, decision, motion, t, moving ? std::max(window_end - t, kShortestMotion) : kNever, tolerance,
-               grown(kShortestPiece, ball.supports), ball.path);
+  ball.path.higher.make().spin.make().next_piece = next_piece;
+  layConstrainedPiece(constrained, decision, motion, t, moving ? std::max(window_end - t, kShortestMotion) : kNever,
+                      tolerance, grown(kShortestPiece, ball.supports), ball.path);
   if (moving && ball.path.end >= window_end - kSameTime)
     ball.path.end = window_end + kShortestMotion;  // see moveSteadily()
   ball.path.boundAcceleration();
@@ -280,34 +281,35 @@ void moveOnPiece(const WorldState& world, BallRecord& ball, const HeldBall& held
 
 // --- what carries the ball from now on ---
 
-void removeSupport(std::size_t i, BallRecord& ball, HeldBall& held, Decision& decision)
+void removeSupport(std::size_t i, BallRecord& ball, ConstrainedBall& constrained, Decision& decision)
 {
   ball.supports.remove(i);
   ContactProblem& problem = decision.problem;
-  for (std::size_t k = i; k + 1 < held.count; ++k)
+  for (std::size_t k = i; k + 1 < constrained.count; ++k)
   {
-    held.surface[k] = held.surface[k + 1];
+    constrained.surface[k] = constrained.surface[k + 1];
     problem.law[k] = problem.law[k + 1];
     problem.at[k] = problem.at[k + 1];
     problem.mode[k] = problem.mode[k + 1];
     decision.forces[k] = decision.forces[k + 1];
   }
-  --held.count;
+  --constrained.count;
   --problem.count;
 }
 
 // Supports that carry nothing and part from the ball; those that do neither are still touched. A ball that comes back to a
 // surface in the very instant in which it has left it touches it, too: friction turns at once, and what it does next counts.
-void dropUnloaded(BallRecord& ball, HeldBall& held, Decision& decision, const BallMotion& motion, double t)
+void dropUnloaded(BallRecord& ball, ConstrainedBall& constrained, Decision& decision, const BallMotion& motion,
+                  double t)
 {
   const bool again = t <= ball.path.start;
-  const double slack = (ball.streak > kLongStreak ? kMostTouched : kTouchedFraction) * scaleOf(decision.problem);
-  for (std::size_t i = held.count; i-- > 0;)
+  const double slack = (ball.quick_contacts > kManyQuick ? kMostTouched : kTouchedFraction) * scaleOf(decision.problem);
+  for (std::size_t i = constrained.count; i-- > 0;)
   {
     if (decision.problem.mode[i].loaded) continue;
     const SupportPoint& at = decision.problem.at[i];
     const bool parts = at.rate > noSpeed(motion) || (!again && at.n.dot(decision.motion.a) > at.least + slack);
-    if (parts) removeSupport(i, ball, held, decision);
+    if (parts) removeSupport(i, ball, constrained, decision);
   }
 }
 
@@ -318,24 +320,24 @@ Vector3d cleaned(const Vector3d& a, double scale)
 
 // What ends straight on planes has a closed form, else what can be stopped within the grip time is. Where Coulomb's law has no
 // answer, friction has jammed the ball: all slip ends at once.
-Decision decideOrJam(const HeldBall& held, BallMotion& motion, double t, double grip_time)
+Decision decideOrJam(const ConstrainedBall& constrained, BallMotion& motion, double t, double grip_time)
 {
-  Decision decision = decide(held, motion, t, 0.0);
+  Decision decision = decide(constrained, motion, t, 0.0);
   if (const Grips grips = allThatAlwaysGrips(decision, motion); any(grips))
   {
-    gripAtOnce(held, grips, nullptr, t, motion);
-    decision = decide(held, motion, t, 0.0);
+    gripAtOnce(constrained, grips, nullptr, t, motion);
+    decision = decide(constrained, motion, t, 0.0);
   }
-  if (decision.answered && steady(held, decision, motion)) return decision;
+  if (decision.answered && steady(constrained, decision, motion)) return decision;
   if (movesSlowly(decision.problem, motion, grip_time))
   {
-    const Decision stopping = decide(held, motion, t, grip_time);
-    gripAtOnce(held, stopping.stops, &stopping.problem, t, motion);
-    if (any(stopping.stops)) decision = decide(held, motion, t, 0.0);
+    const Decision stopping = decide(constrained, motion, t, grip_time);
+    gripAtOnce(constrained, stopping.stops, &stopping.problem, t, motion);
+    if (any(stopping.stops)) decision = decide(constrained, motion, t, 0.0);
   }
   if (decision.answered) return decision;
-  gripAtOnce(held, allThatIsRough(held), nullptr, t, motion);
-  decision = decide(held, motion, t, 0.0);
+  gripAtOnce(constrained, allThatIsRough(constrained), nullptr, t, motion);
+  decision = decide(constrained, motion, t, 0.0);
   if (!decision.answered) decision.motion = BallAcceleration();
   return decision;
 }
@@ -357,46 +359,39 @@ void planFlight(const WorldState& world, BallRecord& ball, const BallState& stat
   // A piece that a contact has cut was long enough: a longer one might have to be tried twice.
   Segment& path = ball.path;
   if (path.degree > 2 && t < path.end)
-    path.further->next_piece = std::min(path.further->next_piece, path.end - path.start);
+    path.higher->next_piece = std::min(path.higher->next_piece, path.end - path.start);
   fly(state, t, ball.model(), world.scene.tolerance, path);
 }
 
 // The path of a ball that lay on surfaces; it may leave some of them now, or all.
-void planHeldPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
+void planConstrainedPath(const WorldState& world, BallRecord& ball, BallState state, double t, double window_end)
 {
   const bool ended_soon = t >= ball.path.end && t - ball.path.start < kShortPath;
-  const double next_piece = ball.path.further && ball.path.further->spin ? ball.path.further->spin->next_piece : 0.0;
+  const double next_piece = ball.path.higher && ball.path.higher->spin ? ball.path.higher->spin->next_piece : 0.0;
   passToFlushFaces(world, ball, state, t);
   dropSurfacesLeft(world, ball, state, t);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   ball.supports.countShort(ended_soon);
   const double grip_time = gripTime(world, ball.supports);
-  HeldBall held = heldBall(world, ball, state.p_WB, t);
-  BallMotion motion = motionOf(state, held.radius);
+  ConstrainedBall constrained = constrainedBall(world, ball, state.p_WB, t);
+  BallMotion motion = motionOf(state, constrained.radius);
   const Vector3d spin_before = motion.s;
-  Decision decision = decideOrJam(held, motion, t, grip_time);
+  Decision decision = decideOrJam(constrained, motion, t, grip_time);
   state.v_WB = motion.v;
-  if (motion.s != spin_before) state.w_WB = motion.s / held.radius;
-  dropUnloaded(ball, held, decision, motion, t);
+  if (motion.s != spin_before) state.w_WB = motion.s / constrained.radius;
+  dropUnloaded(ball, constrained, decision, motion, t);
   if (ball.supports.none()) return planFlight(world, ball, state, t);
   if (motion.s.norm() < kStillSpeed && motion.v.norm() < kStillSpeed) state.w_WB.setZero();
   const double scale = scaleOf(decision.problem);
   decision.motion.a = cleaned(decision.motion.a, scale);
   decision.motion.b = cleaned(decision.motion.b, scale);
   ball.path = flyParabola(state, t, Vector3d::Zero());
-  if (steady(held, decision, motion))
-    moveSteadily(world, ball, held, decision, motion, t, window_end);
+  if (steady(constrained, decision, motion))
+    moveSteadily(world, ball, constrained, decision, motion, t, window_end);
   else
-    moveOnPiece(world, ball, held, decision, motion, t, window_end, next_piece);
+    moveOnPiece(world, ball, constrained, decision, motion, t, window_end, next_piece);
 }
 }  // namespace
-
-Gap gapOver(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, double t)
-{
-  const double radius = ball.params().radius;
-  return body.moving ? gapTo(shape, body.at(t), state.p_WB, state.v_WB, radius)
-                     : gapTo(shape, state.p_WB, state.v_WB, radius);
-}
 
 double timeOfRemainingBounces(double rate, double press, double restitution)
 {
@@ -406,13 +401,13 @@ double timeOfRemainingBounces(double rate, double press, double restitution)
 Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball, const BallState& state, double t)
 {
   if (ball.supports.none()) return ball.model().acceleration(state.v_WB, state.w_WB);
-  HeldBall held = heldBall(world, ball, state.p_WB, t);
+  ConstrainedBall constrained = constrainedBall(world, ball, state.p_WB, t);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < held.count; ++i)
+  for (std::size_t i = 0; i < constrained.count; ++i)
     if (touches(gapOver(world, ball, ball.supports[i], state, t), keepSpeed(ball)))
-      held.surface[kept++] = held.surface[i];
-  held.count = kept;
-  return decide(held, motionOf(state, held.radius), t, 0.0).motion.a;
+      constrained.surface[kept++] = constrained.surface[i];
+  constrained.count = kept;
+  return decide(constrained, motionOf(state, constrained.radius), t, 0.0).motion.a;
 }
 
 void addTouched(const WorldState& world, BallRecord& ball, const BallState& state, double t)
@@ -423,8 +418,8 @@ void addTouched(const WorldState& world, BallRecord& ball, const BallState& stat
     const BodyRecord& body = world.bodies[b];
     for (std::size_t s = 0; s < body.shapes().size(); ++s)
     {
-      const Gap gap = gapOver(body, body.shapes()[s], ball, state, t);
-      if (std::abs(gap.gap) > kTouchedGap || std::abs(gap.rate) > kNoHopSpeed) continue;
+      const Gap gap = gapOver(body, body.shapes()[s], state, ball.params().radius, t);
+      if (std::abs(gap.gap) > kTouchedGap || std::abs(gap.rate) > kNoSeparationSpeed) continue;
       if (supportedAlong(world, ball, state, gap.n_W, t)) continue;
       if (!a) a = accelerationOnSupports(world, ball, state, t);
       if (gapAcceleration(body.shapes()[s], body.at(t), state.p_WB, state.v_WB, *a) < 0.0) ball.supports.add(b, s);
@@ -438,6 +433,6 @@ void planPath(const WorldState& world, BallRecord& ball, const BallState& state,
   if (ball.supports.none())
     planFlight(world, ball, state, t);
   else
-    planHeldPath(world, ball, state, t, window_end);
+    planConstrainedPath(world, ball, state, t, window_end);
 }
 }  // namespace ping_pong

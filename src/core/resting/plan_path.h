@@ -19,7 +19,7 @@ inline bool bouncingEnds(double rate, double press, double touch_tolerance)
 {
   if (press <= 0.0) return false;
   const double lift = std::max(kLift, kLiftInTolerances * touch_tolerance);
-  return rate <= kNoHopSpeed || rate * rate < 2.0 * press * lift;
+  return rate <= kNoSeparationSpeed || rate * rate < 2.0 * press * lift;
 }
 
 /// Time of all bounces to come: flights 2 v/a with v falling by e each time, 2 v / (a (1 - e)) [s]; 0 for e = 1, where
@@ -28,9 +28,6 @@ double timeOfRemainingBounces(double rate, double press, double restitution);
 
 constexpr double kSurelyBounces = 1.0;  ///< leaving faster than this, no force ends the bouncing [m/s]
 constexpr double kKeepSpeed = 1e-6;     ///< a support is left by moving away faster than this [m/s]
-
-/// Gap between a ball and a shape of a body at world time t.
-Gap gapOver(const BodyRecord& body, const Shape& shape, const BallRecord& ball, const BallState& state, double t);
 
 /// Acceleration of a ball on the supports that it still touches: loads, friction and forces together [m/s^2].
 Vector3d accelerationOnSupports(const WorldState& world, const BallRecord& ball, const BallState& state, double t);

@@ -35,7 +35,7 @@ const GaussPoints<kNodes>& gaussPoints()
 Eigen::Matrix<double, 1, 6> SlipTurning::ratesAt(int node, const BallMotion& ball)
 {
   const ContactProblem& start = decision_.problem;
-  ContactProblem problem = problemAt(held_, ball, t_ + h_ * gaussPoints().nodes[node]);
+  ContactProblem problem = problemAt(constrained_, ball, t_ + h_ * gaussPoints().nodes[node]);
   std::array<double, kMaxSupports> slips{}, rolls{};
   for (std::size_t i = 0; i < problem.count; ++i)
   {
@@ -44,7 +44,7 @@ Eigen::Matrix<double, 1, 6> SlipTurning::ratesAt(int node, const BallMotion& bal
     mode = start.mode[i];
     slips[i] = turnAlong(mode.slip, at.slip, mode.slip_direction);
     rolls[i] = turnAlong(mode.roll, at.roll, mode.roll_direction);
-    // What rounding, or a stop, has left of held speeds ends with the piece.
+    // What rounding, or a stop, has left of speeds that are held at zero ends with the piece.
     if (mode.slip == Resistance::Holds) at.slip_bias += start.at[i].slip / h_;
     if (mode.roll == Resistance::Holds) at.roll_bias += start.at[i].roll / h_;
     if (mode.spin == Resistance::Holds) at.spin_bias += start.at[i].spin / h_;

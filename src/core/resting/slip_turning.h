@@ -1,13 +1,13 @@
-// Accelerations at the nodes of a held piece, with friction that turns with the slip.
+// Accelerations at the nodes of a constrained piece, with friction that turns with the slip.
 //
-// A slow slip u turns fast: a change of it by du across turns friction by du / |u|. Sweeps that take the friction of the last
-// round (Picard) then only come to their end on pieces shorter than |u| / (mu g), and a slip that has just begun would be
+// A slow slip u turns fast: a change of it by du across turns friction by du / |u|. Iterations with the friction of the last
+// round (Picard) then only converge on pieces shorter than |u| / (mu g), and a slip that has just begun would be
 // followed in pieces of microseconds. Newton's method on the angles alone, one per slipping resistance and node, has no such
-// limit; all else is left to the sweeps.
+// limit; all else is left to the iteration.
 #pragma once
 
 #include "evolve/gauss_points.h"
-#include "resting/held_ball.h"
+#include "resting/constrained_ball.h"
 
 namespace ping_pong
 {
@@ -23,8 +23,8 @@ class SlipTurning
 public:
   /// @param decision  at the start t of the piece: its modes hold all along
   /// @param h         length of the piece [s]
-  SlipTurning(const HeldBall& held, const Decision& decision, double t, double h)
-      : held_(held), decision_(decision), t_(t), h_(h)
+  SlipTurning(const ConstrainedBall& constrained, const Decision& decision, double t, double h)
+      : constrained_(constrained), decision_(decision), t_(t), h_(h)
   {
   }
 
@@ -47,7 +47,7 @@ private:
   void addAngle(int node, const ContactProblem& problem, const Eigen::Matrix<double, 6, 1>& rates, std::size_t support,
                 bool of_roll, double size);
 
-  const HeldBall& held_;
+  const ConstrainedBall& constrained_;
   const Decision& decision_;
   double t_, h_;
   std::array<std::array<Angle, kMost>, kNodes> angles_;

@@ -14,7 +14,7 @@ SupportPoint onStill(const Proximity& near, const BallMotion& ball, double radiu
   at.n = n;
   at.gap = near.distance - radius;
   at.rate = n.dot(ball.v);
-  at.slip = tangentialTo(n, ball.v) - ball.s.cross(n);
+  at.slip = tangential(ball.v, n) - ball.s.cross(n);
   at.spin = n.dot(ball.s);
   at.roll = ball.s - at.spin * n;
   at.least = at.spin_bias = 0.0;
@@ -24,7 +24,7 @@ SupportPoint onStill(const Proximity& near, const BallMotion& ball, double radiu
   const double u1 = ball.v.dot(near.t1), u2 = ball.v.dot(t2);
   const Vector3d dn = near.k1 * u1 * near.t1 + near.k2 * u2 * t2;
   at.least = -near.k1 * u1 * u1 - near.k2 * u2 * u2;
-  at.slip_bias = -tangentialTo(n, ball.s.cross(dn));
+  at.slip_bias = -tangential(ball.s.cross(dn), n);
   at.roll_bias = -at.spin * dn;
   at.spin_bias = dn.dot(ball.s);
   return at;
@@ -45,13 +45,13 @@ SupportPoint onMoving(const BodyFrame& frame, const Proximity& near, const BallM
   const Vector3d carried = frame.a_WB + frame.alpha_WB.cross(d) + w.cross(w.cross(d)) + 2.0 * w.cross(u);
   at.least = n.dot(carried) - near.k1 * u1 * u1 - near.k2 * u2 * u2;
   const Vector3d arm = d - radius * n;
-  at.slip = tangentialTo(n, ball.v - frame.v_WB - w.cross(arm)) - ball.s.cross(n);
+  at.slip = tangential(ball.v - frame.v_WB - w.cross(arm), n) - ball.s.cross(n);
   const Vector3d touched = frame.a_WB + frame.alpha_WB.cross(arm) + w.cross(ball.v - frame.v_WB - radius * dn);
-  at.slip_bias = -tangentialTo(n, touched + ball.s.cross(dn));
+  at.slip_bias = -tangential(touched + ball.s.cross(dn), n);
   const Vector3d spin = ball.s - radius * w;
   at.spin = n.dot(spin);
   at.roll = spin - at.spin * n;
-  at.roll_bias = -tangentialTo(n, radius * frame.alpha_WB) - at.spin * dn;
+  at.roll_bias = -tangential(radius * frame.alpha_WB, n) - at.spin * dn;
   at.spin_bias = dn.dot(spin) - radius * n.dot(frame.alpha_WB);
   return at;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/feature.h"
+#include "geometry/tangential.h"
 #include "ping_pong_sim/body.h"
 #include "ping_pong_sim/scene.h"
 
@@ -57,19 +58,14 @@ struct SupportPoint
 /// @param t  world time [s]
 SupportPoint supportPoint(const SupportSurface& surface, const BallMotion& ball, double radius, double t);
 
-inline Vector3d tangentialTo(const Vector3d& n, const Vector3d& x)
-{
-  return x - n.dot(x) * n;
-}
-
 /// Rates of slip, roll and spin under this acceleration [m/s^2].
 inline Vector3d slipRate(const SupportPoint& at, const BallAcceleration& motion)
 {
-  return tangentialTo(at.n, motion.a) - motion.b.cross(at.n) + at.slip_bias;
+  return tangential(motion.a, at.n) - motion.b.cross(at.n) + at.slip_bias;
 }
 inline Vector3d rollRate(const SupportPoint& at, const BallAcceleration& motion)
 {
-  return tangentialTo(at.n, motion.b) + at.roll_bias;
+  return tangential(motion.b, at.n) + at.roll_bias;
 }
 inline double spinRate(const SupportPoint& at, const BallAcceleration& motion)
 {

@@ -153,7 +153,7 @@ void readSurfaces(const Map& scene_map, Scene& scene)
     scene_map.field().failWith(std::to_string(scene.materials.size()) + " materials", "at most 1000 of them");
   const Field* surfaces = scene_map.find("surfaces");
   const std::vector<Rule> rules = surfaces != nullptr ? readRules(*surfaces, scene.materials) : std::vector<Rule>();
-  const MeetingPairs meeting(scene);
+  const MeetingPairs meetingLaw(scene);
   const std::vector<std::string>& names = scene.materials;
   scene.surfaces = SurfaceTable(names.size());
   for (std::size_t a = 0; a < names.size(); ++a)
@@ -162,7 +162,7 @@ void readSurfaces(const Map& scene_map, Scene& scene)
       const Rule* rival = nullptr;
       const Rule* best = bestRule(rules, names[a], names[b], rival);
       const std::string pair = "[" + names[a] + ", " + names[b] + "]";
-      if (meeting.at(a, b)) checkRule(best, rival, pair, scene_map);
+      if (meetingLaw.at(a, b)) checkRule(best, rival, pair, scene_map);
       if (best != nullptr) scene.surfaces.set(static_cast<MaterialId>(a), static_cast<MaterialId>(b), best->surface);
     }
 }

@@ -9,7 +9,7 @@ namespace
 /// Not a number, from sizes near the end of the number range, counts as an overlap.
 bool isOverlap(double depth)
 {
-  return !(depth <= kTouchTolerance);
+  return !(depth <= kOverlapTolerance);
 }
 
 bool isDeeper(double depth, const std::optional<Overlap>& deepest)

@@ -7,12 +7,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/tolerances.h"
 #include "ping_pong_sim/body.h"
 
 namespace ping_pong
 {
-constexpr double kTouchTolerance = 1e-9;  ///< overlap that still counts as touching [m]
-
 struct Overlap
 {
   std::string with;    ///< name of the body, or ball_N

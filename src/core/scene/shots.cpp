@@ -25,7 +25,7 @@ Shot shot(const char* name, double x, double z, double speed, double elevation, 
 }  // namespace
 
 // Elevations were searched for: in air each ball clears the net by about 8 cm or more (the smash by 6) and lands well
-// inside the half at -x. The serve does so off tables of any usual restitution and friction. test/core/test_shots.cpp
+// inside the half at -x. The serve does so off tables of any usual restitution and friction. test/core/scene/test_shots.cpp
 // holds them to it.
 const std::vector<Shot>& shots()
 {

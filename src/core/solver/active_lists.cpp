@@ -1,4 +1,4 @@
-// Who is awake, and what that makes of the links.
+// Who is awake, and what that makes of the lists of neighbours.
 #include <algorithm>
 
 #include "solver/slabs.h"
@@ -7,46 +7,46 @@ namespace ping_pong
 {
 namespace
 {
-bool anyAwake(const Pile& pile, const PairLink& link)
+bool anyAwake(const ContactSolver& solver, const NeighbourPair& pair)
 {
-  return !pile.movers[link.a].asleep || !pile.movers[link.b].asleep;
+  return !solver.movers[pair.a].asleep || !solver.movers[pair.b].asleep;
 }
 
-void updateShare(const Pile& pile, PileShare& share)
+void updateSlab(const ContactSolver& solver, SolverSlab& slab)
 {
-  if (!share.active_void) return;
-  share.active_void = false;
-  share.awake.clear();
-  share.active_pairs.clear();
-  share.active_bodies.clear();
-  for (const std::uint32_t i : share.balls)
-    if (!pile.movers[i].asleep) share.awake.push_back(i);
-  for (const std::uint32_t l : share.pairs)
-    if (anyAwake(pile, pile.pairs[l])) share.active_pairs.push_back(l);
-  for (const std::uint32_t l : share.bodies)
-    if (!pile.movers[pile.bodies[l].ball].asleep) share.active_bodies.push_back(l);
+  if (!slab.active_void) return;
+  slab.active_void = false;
+  slab.awake.clear();
+  slab.active_pairs.clear();
+  slab.active_bodies.clear();
+  for (const std::uint32_t i : slab.balls)
+    if (!solver.movers[i].asleep) slab.awake.push_back(i);
+  for (const std::uint32_t l : slab.pairs)
+    if (anyAwake(solver, solver.pairs[l])) slab.active_pairs.push_back(l);
+  for (const std::uint32_t l : slab.bodies)
+    if (!solver.movers[solver.bodies[l].ball].asleep) slab.active_bodies.push_back(l);
 }
 }  // namespace
 
 void updateActive(WorldWithSolver& world)
 {
-  const Pile& pile = world.pile;
+  const ContactSolver& solver = world.solver;
   const bool any =
-      std::any_of(pile.shares.begin(), pile.shares.end(), [](const PileShare& share) { return share.active_void; });
-  if (any) eachShare(world, [&pile](PileShare& share) { updateShare(pile, share); });
+      std::any_of(solver.slabs.begin(), solver.slabs.end(), [](const SolverSlab& slab) { return slab.active_void; });
+  if (any) eachSlab(world, [&solver](SolverSlab& slab) { updateSlab(solver, slab); });
 }
 
-void Pile::voidActive(std::size_t i)
+void ContactSolver::voidActive(std::size_t i)
 {
-  if (links_void) return;  // all is known anew when they are built
-  const std::size_t slab = share_of[i];
-  shares[slab].active_void = lastShare().active_void = true;
-  if (slab > 0) shares[slab - 1].active_void = true;
+  if (neighbours_void) return;  // all is known anew when they have been searched
+  const std::size_t slab = slab_of[i];
+  slabs[slab].active_void = lastSlab().active_void = true;
+  if (slab > 0) slabs[slab - 1].active_void = true;
 }
 
-bool Pile::anyAwake() const
+bool ContactSolver::anyAwake() const
 {
-  return links_void || std::any_of(shares.begin(), shares.end(),
-                                   [](const PileShare& share) { return share.active_void || !share.awake.empty(); });
+  return neighbours_void || std::any_of(slabs.begin(), slabs.end(),
+                                        [](const SolverSlab& slab) { return slab.active_void || !slab.awake.empty(); });
 }
 }  // namespace ping_pong

@@ -1,4 +1,4 @@
-// Touches of a pile in batches of four that share no ball.
+// Constraints of the solver in batches of four that have no ball in common.
 #pragma once
 
 #include <array>
@@ -9,8 +9,17 @@
 
 namespace ping_pong
 {
-/// Links in touch, as the solver needs them: four pairs of balls, or four balls with bodies.
-struct alignas(64) TouchBatch
+/// Where a constraint is in a list of batches.
+struct ConstraintIndex
+{
+  std::uint32_t value;  ///< of all lanes, those of one batch after those of the one before
+
+  std::size_t batch() const { return value / kLanes; }
+  std::size_t lane() const { return value % kLanes; }
+};
+
+/// Contacts, as the iteration needs them: four pairs of balls, or four balls with bodies.
+struct alignas(64) ConstraintBatch
 {
   LaneVectors n{};        ///< unit normals, to the first ball
   LaneVectors slip{};     ///< of the touching points, before the contacts [m/s]
@@ -19,11 +28,11 @@ struct alignas(64) TouchBatch
   Lanes target{};         ///< least changes of the velocities along n of the first relative to the second [m/s]
   Lanes normal_mass{}, slip_mass{};        ///< impulses by changes of the relative velocities [kg]
   Lanes friction{};                        ///< coefficients
-  std::array<std::uint32_t, kLanes> a, b;  ///< slots of the balls; in a lane without a touch both are the same
+  std::array<std::uint32_t, kLanes> a, b;  ///< slots of the balls; in a lane without a constraint both are the same
 
   static constexpr std::uint32_t kBody = ~0u;  ///< the second one of a ball with a body
 
-  explicit TouchBatch(std::uint32_t ball)
+  explicit ConstraintBatch(std::uint32_t ball)
   {
     a.fill(ball);
     b.fill(ball);
@@ -31,37 +40,37 @@ struct alignas(64) TouchBatch
   bool full() const { return a.back() != b.back(); }  // lanes are filled in their order
   bool has(std::size_t lane) const { return a[lane] != b[lane]; }
 };
-static_assert(sizeof(TouchBatch) == 256, "four lines of the cache");
+static_assert(sizeof(ConstraintBatch) == 256, "four lines of the cache");
 
-/// Two balls in touch, as they are found.
+/// Two balls in contact, as they are found.
 struct FoundPair
 {
   Lanes
       way;  ///< from the second one to the first at the end of the step [m], and its square less that of their reach [m^2]
   Lanes
       u;  ///< velocity of the first relative to the second [m/s], and as above at the start of the step, at most 0 [m^2]
-  Lanes push;  ///< impulse of friction that it begins with, and along the normal [N s]
+  Lanes impulse;  ///< impulse of friction that it begins with, and along the normal [N s]
 };
 
-/// Batches that have lanes left, while touches are listed.
+/// Batches that have lanes left, while constraints are listed.
 class OpenBatches
 {
 public:
   OpenBatches() { balls_.fill(kFull); }
 
-  /// The place of a touch of these balls: kLanes times the index of its batch, plus the lane. The rest of it is to be written.
-  std::uint32_t place(std::vector<TouchBatch>& batches, std::uint32_t a, std::uint32_t b)
+  /// A lane for a constraint between these balls. The rest of it is to be written.
+  ConstraintIndex add(std::vector<ConstraintBatch>& batches, std::uint32_t a, std::uint32_t b)
   {
     const std::uint64_t balls = bit(a) | bit(b);
     unsigned fit = 0;
     for (std::size_t k = 0; k < kMost; ++k) fit |= static_cast<unsigned>((balls_[k] & balls) == 0) << k;
     const std::size_t k = fit != 0 ? static_cast<std::size_t>(__builtin_ctz(fit)) : open(batches, a);
-    const std::uint32_t place = next_[k]++;
-    const std::size_t lane = place % kLanes;
-    batches[place / kLanes].a[lane] = a;
-    batches[place / kLanes].b[lane] = b;
+    const ConstraintIndex index{next_[k].value++};
+    const std::size_t lane = index.lane();
+    batches[index.batch()].a[lane] = a;
+    batches[index.batch()].b[lane] = b;
     balls_[k] = lane + 1 == kLanes ? kFull : balls_[k] | balls;
-    return place;
+    return index;
   }
 
 private:
@@ -70,21 +79,21 @@ private:
 
   static std::uint64_t bit(std::uint32_t ball)
   {
-    return ball == TouchBatch::kBody ? 0 : std::uint64_t{1} << (ball % 64);
+    return ball == ConstraintBatch::kBody ? 0 : std::uint64_t{1} << (ball % 64);
   }
-  std::size_t open(std::vector<TouchBatch>& batches, std::uint32_t ball)
+  std::size_t open(std::vector<ConstraintBatch>& batches, std::uint32_t ball)
   {
     std::size_t k = oldest_++ % kMost;  // stays as it is, unless another one is full
     for (std::size_t other = 0; other < kMost; ++other)
       if (balls_[other] == kFull) k = other;
     balls_[k] = 0;
-    next_[k] = static_cast<std::uint32_t>(kLanes * batches.size());
+    next_[k].value = static_cast<std::uint32_t>(kLanes * batches.size());
     batches.emplace_back(ball);
     return k;
   }
 
-  std::array<std::uint64_t, kMost> balls_;   ///< a bit for each, which it may share with others
-  std::array<std::uint32_t, kMost> next_{};  ///< place
+  std::array<std::uint64_t, kMost> balls_;  ///< a bit for each, which it may share with others
+  std::array<ConstraintIndex, kMost> next_{};
   std::size_t oldest_ = 0;
 };
 }  // namespace ping_pong

@@ -8,225 +8,206 @@
 #include "solver/slabs.h"
 #include "solver/squeezed_in_solver.h"
 #include "solver/time_of_impact.h"
+#include "state/contact_log.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr int kMostImpacts = 15;  // of one ball in one step; what is left is up to the contacts
+// Of one ball in one step. The last has to be 4^15 times as fast as the least impact: beyond, contacts take over anyway.
+constexpr int kMostImpacts = 15;
 
 // From t on the ball flies with this state: its path is drawn back to the start of the step.
-void fork(Pile& pile, std::size_t i, const BallState& state, double t)
+void changePath(ContactSolver& solver, std::size_t i, const BallState& state, double t)
 {
-  Mover& mover = pile.movers[i];
-  pile.turn[i] += (t - mover.clock) * pile.w[i];
-  takeTurn(pile, i);  // about another axis from now on
-  const Vector3d a = pile.pathAcceleration(i);
+  Mover& mover = solver.movers[i];
+  solver.pending_rotation[i] += (t - mover.clock) * solver.w[i];
+  applyRotation(solver, i);  // about another axis from now on
+  const Vector3d a = solver.pathAcceleration(i);
   mover.v = state.v_WB - t * a;
-  pile.w[i] = state.w_WB;
+  solver.w[i] = state.w_WB;
   mover.p = state.p_WB - t * (state.v_WB - (0.5 * t) * a);
   mover.clock = t;
-  mover.stamp = pile.counter;
-  mover.calm = false;
+  mover.last_impact = solver.counter;
+  mover.too_slow_for_impacts = false;
   ++mover.impacts;
 }
 
-// Counts an impact: a new record of it, or nullptr if none are kept. No later than the step ends: rounding may say so.
-Contact* newContact(WorldWithSolver& world, std::uint32_t ball, const BallState& before, double t)
+// An impact of the ball in slot i. No later than the step ends: rounding may say so.
+void record(WorldWithSolver& world, std::uint32_t i, const HitObject& other, double t, const BallState& before,
+            const BallState& after, const Vector3d& n, const Vector3d& u, const Vector3d& impulse)
 {
-  ++world.status.contacts;
   ++world.status.events;
-  if (!world.keep_contacts) return nullptr;
-  Contact& contact = world.contacts.emplace_back();
-  world.origins.push_back({ball, 0});
-  contact.time = std::min(world.pile.start + t, world.pile.end);
-  contact.ball = world.balls[ball].id;
-  contact.v_before = before.v_WB;
-  contact.w_before = before.w_WB;
-  return &contact;
-}
-
-void finish(Contact* contact, const BallState& after, const Vector3d& n, const Vector3d& p_WC, const Vector3d& v_other,
-            const Vector3d& impulse)
-{
-  if (contact == nullptr) return;
-  contact->n_W = n;
-  contact->p_WC = p_WC;
-  contact->v_other = v_other;
-  contact->v_after = after.v_WB;
-  contact->w_after = after.w_WB;
-  contact->impulse = impulse;
+  const std::uint32_t ball = world.solver.ball[i];
+  recordContact(world, world.balls[ball], ball, other,
+                {std::min(world.solver.start + t, world.solver.end), n, u, before.p_WB, before.v_WB, after.v_WB,
+                 before.w_WB, after.w_WB, impulse});
 }
 
 // --- two balls ---
 
-void hitPair(WorldWithSolver& world, const PairLink& link, double t)
+void hitPair(WorldWithSolver& world, const NeighbourPair& pair, double t)
 {
-  Pile& pile = world.pile;
-  BallState a = stateAt(pile, link.a, t), b = stateAt(pile, link.b, t);
-  pile.wake(link.a);
-  pile.wake(link.b);
+  ContactSolver& solver = world.solver;
+  BallState a = stateAt(solver, pair.a, t), b = stateAt(solver, pair.b, t);
+  solver.wake(pair.a);
+  solver.wake(pair.b);
   const Vector3d n = (a.p_WB - b.p_WB).normalized();
   const double closing = -n.dot(a.v_WB - b.v_WB);
-  const BallParams &params_a = pile.params(link.a), &params_b = pile.params(link.b);
+  const BallParams &params_a = solver.params(pair.a), &params_b = solver.params(pair.b);
   const Surface& law = world.scene.surfaces.at(params_a.material, params_b.material);
   const Vector3d p_WC = a.p_WB - params_a.radius * n;
   const Vector3d v_other = b.v_WB + b.w_WB.cross(p_WC - b.p_WB);
-  if (!pile.moving.empty())
-    for (const std::uint32_t i : {link.a, link.b}) noteOther(pile, i);
-  Contact* contact = newContact(world, pile.ball[link.a], a, t);
+  if (!solver.moving.empty())
+    for (const std::uint32_t i : {pair.a, pair.b}) noteOther(solver, i);
+  const BallState before = a;
   const Vector3d impulse = part(law, law.restitutionAt(closing) * closing, params_a, a, params_b, b, n);
-  if (contact != nullptr)
-  {
-    contact->with_ball = true;
-    contact->other_ball = world.balls[pile.ball[link.b]].id;
-  }
-  finish(contact, a, n, p_WC, v_other, impulse);
-  fork(pile, link.a, a, t);
-  fork(pile, link.b, b, t);
-  pile.untouched[link.a] = pile.untouched[link.b] = 0.0f;
+  record(world, pair.a, HitObject::ballOf(world.balls[solver.ball[pair.b]].id), t, before, a, n, v_other, impulse);
+  changePath(solver, pair.a, a, t);
+  changePath(solver, pair.b, b, t);
+  solver.since_contact[pair.a] = solver.since_contact[pair.b] = 0.0f;
 }
 
 // --- a ball and a shape ---
 
-void hitBody(WorldWithSolver& world, const BodyLink& link, double t)
+void hitBody(WorldWithSolver& world, const BodyNeighbour& neighbour, double t)
 {
-  Pile& pile = world.pile;
-  const std::uint32_t i = link.ball;
-  const BodyRecord& body = world.bodies[link.body];
-  const Shape& shape = body.shapes()[link.shape];
-  BallState state = stateAt(pile, i, t);
-  const BodyFrame frame = body.at(pile.start + t);
-  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, pile.radius(i));
-  pile.wake(i);
-  const Vector3d p_WC = state.p_WB - pile.radius(i) * gap.n_W;
+  ContactSolver& solver = world.solver;
+  const std::uint32_t i = neighbour.ball;
+  const BodyRecord& body = world.bodies[neighbour.body];
+  const Shape& shape = body.shapes()[neighbour.shape];
+  BallState state = stateAt(solver, i, t);
+  const BodyFrame frame = body.at(solver.start + t);
+  const Gap gap = gapTo(shape, frame, state.p_WB, state.v_WB, solver.radius(i));
+  solver.wake(i);
+  const Vector3d p_WC = state.p_WB - solver.radius(i) * gap.n_W;
   const Vector3d u = body.moving ? frame.pointVelocity(p_WC) : Vector3d::Zero();
-  Contact* contact = newContact(world, pile.ball[i], state, t);
-  Surface law = world.scene.surfaces.at(pile.params(i).material, shape.material);
-  const bool along = body.moving && takesAlong(pile, link, t);
+  Surface law = world.scene.surfaces.at(solver.params(i).material, shape.material);
+  const bool along = body.moving && takesAlong(solver, neighbour, t);
   if (along) law.restitution = 0.0;
-  if (!body.moving && !pile.moving.empty()) noteOther(pile, i);
+  if (!body.moving && !solver.moving.empty()) noteOther(solver, i);
   const BallState before = state;
-  Vector3d impulse = bounce(law, pile.params(i), state, u, gap.n_W);
-  if (along) limitImpulse(pile.params(i), before, u.norm(), state, impulse);
-  if (contact != nullptr)
-  {
-    contact->body = link.body;
-    contact->shape = link.shape;
-  }
-  finish(contact, state, gap.n_W, p_WC, u, impulse);
-  fork(pile, i, state, t);
+  Vector3d impulse = bounce(law, solver.params(i), state, u, gap.n_W);
+  if (along) limitImpulse(solver.params(i), before, u.norm(), state, impulse);
+  record(world, i, HitObject::shapeOf(neighbour.body, neighbour.shape), t, before, state, gap.n_W, u, impulse);
+  changePath(solver, i, state, t);
 }
 
 // --- in the order of time ---
 
-bool later(const ImpactAhead& p, const ImpactAhead& q)
+bool later(const PredictedImpact& p, const PredictedImpact& q)
 {
-  return p.time != q.time ? p.time > q.time : p.link > q.link;
+  return p.time != q.time ? p.time > q.time : p.neighbour > q.neighbour;
 }
 
-bool tired(const Pile& pile, std::uint32_t i)
+bool impactsExhausted(const ContactSolver& solver, std::uint32_t i)
 {
-  return pile.movers[i].impacts >= kMostImpacts;
+  return solver.movers[i].impacts >= kMostImpacts;
 }
 
-double nextOfPair(const Pile& pile, const PairLink& link)
+double nextOfPair(const ContactSolver& solver, const NeighbourPair& pair)
 {
-  if (pile.movers[link.a].calm && pile.movers[link.b].calm) return kNever;
-  if (tired(pile, link.a) || tired(pile, link.b)) return kNever;
+  if (solver.movers[pair.a].too_slow_for_impacts && solver.movers[pair.b].too_slow_for_impacts) return kNever;
+  if (impactsExhausted(solver, pair.a) || impactsExhausted(solver, pair.b)) return kNever;
   count(Law::PairSearch);
-  return pairImpact(pile, link);
+  return pairImpact(solver, pair);
 }
 
-double nextWithBody(const WorldWithSolver& world, const BodyLink& link)
+double nextWithBody(const WorldWithSolver& world, const BodyNeighbour& neighbour)
 {
-  const bool still = !world.bodies[link.body].moving;
-  if (tired(world.pile, link.ball) || (still && world.pile.movers[link.ball].calm)) return kNever;
-  return bodyImpact(world, link);
+  const bool still = !world.bodies[neighbour.body].moving;
+  if (impactsExhausted(world.solver, neighbour.ball) ||
+      (still && world.solver.movers[neighbour.ball].too_slow_for_impacts))
+    return kNever;
+  return bodyImpact(world, neighbour);
 }
 
-void lookAtShare(const WorldWithSolver& world, PileShare& share)
+void predictInSlab(const WorldWithSolver& world, SolverSlab& slab)
 {
-  const Pile& pile = world.pile;
-  share.ahead.clear();
-  const auto note = [&](double t, std::uint32_t code)
+  const ContactSolver& solver = world.solver;
+  slab.ahead.clear();
+  const auto note = [&](double t, NeighbourRef neighbour)
   {
-    if (t <= pile.h) share.ahead.push_back({t, code, pile.counter});
+    if (t <= solver.h) slab.ahead.push_back({t, neighbour, solver.counter});
   };
-  for (const std::uint32_t l : share.active_bodies) note(nextWithBody(world, pile.bodies[l]), 3 * l + 1);
-  for (const std::uint32_t l : share.active_pairs) note(nextOfPair(pile, pile.pairs[l]), 3 * l);
+  for (const std::uint32_t l : slab.active_bodies)
+    note(nextWithBody(world, solver.bodies[l]), {l, NeighbourRef::StillBodies});
+  for (const std::uint32_t l : slab.active_pairs) note(nextOfPair(solver, solver.pairs[l]), {l, NeighbourRef::Pairs});
 }
 
-void lookAtAll(WorldWithSolver& world)
+void predictAll(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  eachShare(world, [&world](PileShare& share) { lookAtShare(world, share); });
-  pile.ahead.clear();
-  for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
-    if (const double t = nextWithBody(world, pile.moving[l]); t <= pile.h)
-      pile.ahead.push_back({t, 3 * l + 2, pile.counter});
-  for (const PileShare& share : pile.shares)
-    pile.ahead.insert(pile.ahead.end(), share.ahead.begin(), share.ahead.end());
-  std::make_heap(pile.ahead.begin(), pile.ahead.end(), later);
+  ContactSolver& solver = world.solver;
+  eachSlab(world, [&world](SolverSlab& slab) { predictInSlab(world, slab); });
+  solver.ahead.clear();
+  for (std::uint32_t l = 0; l < solver.moving.size(); ++l)
+    if (const double t = nextWithBody(world, solver.moving[l]); t <= solver.h)
+      solver.ahead.push_back({t, {l, NeighbourRef::MovingBodies}, solver.counter});
+  for (const SolverSlab& slab : solver.slabs)
+    solver.ahead.insert(solver.ahead.end(), slab.ahead.begin(), slab.ahead.end());
+  std::make_heap(solver.ahead.begin(), solver.ahead.end(), later);
 }
 
 // The ball has another path.
-void lookAgain(WorldWithSolver& world, std::uint32_t i)
+void predictAgain(WorldWithSolver& world, std::uint32_t i)
 {
-  Pile& pile = world.pile;
-  const auto note = [&pile](double t, std::uint32_t code)
+  ContactSolver& solver = world.solver;
+  const auto note = [&solver](double t, NeighbourRef neighbour)
   {
-    if (!(t <= pile.h)) return;
-    pile.ahead.push_back({t, code, pile.counter});
-    std::push_heap(pile.ahead.begin(), pile.ahead.end(), later);
+    if (!(t <= solver.h)) return;
+    solver.ahead.push_back({t, neighbour, solver.counter});
+    std::push_heap(solver.ahead.begin(), solver.ahead.end(), later);
   };
-  for (std::uint32_t l = 0; l < pile.moving.size(); ++l)
-    if (pile.moving[l].ball == i) note(nextWithBody(world, pile.moving[l]), 3 * l + 2);
-  for (std::uint32_t l = pile.first_body[i]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
-    note(nextWithBody(world, pile.bodies[l]), 3 * l + 1);
-  pile.anyLink(i,
-               [&](std::uint32_t l)
-               {
-                 note(nextOfPair(pile, pile.pairs[l]), 3 * l);
-                 return false;
-               });
+  for (std::uint32_t l = 0; l < solver.moving.size(); ++l)
+    if (solver.moving[l].ball == i) note(nextWithBody(world, solver.moving[l]), {l, NeighbourRef::MovingBodies});
+  for (std::uint32_t l = solver.first_body[i]; l != ContactSolver::kEndOfList; l = solver.bodies[l].next)
+    note(nextWithBody(world, solver.bodies[l]), {l, NeighbourRef::StillBodies});
+  solver.anyPair(i,
+                 [&](std::uint32_t l)
+                 {
+                   note(nextOfPair(solver, solver.pairs[l]), {l, NeighbourRef::Pairs});
+                   return false;
+                 });
 }
 
 // Handles one impact; balls that it has thrown off their path are put into a and b, twice the same if it is but one.
-bool handle(WorldWithSolver& world, const ImpactAhead& impact, std::uint32_t& a, std::uint32_t& b)
+bool handle(WorldWithSolver& world, const PredictedImpact& impact, std::uint32_t& a, std::uint32_t& b)
 {
-  Pile& pile = world.pile;
-  const std::uint32_t l = impact.link / 3, list = impact.link % 3;
-  a = list == 0 ? pile.pairs[l].a : list == 1 ? pile.bodies[l].ball : pile.moving[l].ball;
-  b = list == 0 ? pile.pairs[l].b : a;
-  if (pile.movers[a].stamp > impact.made || pile.movers[b].stamp > impact.made) return false;
-  ++pile.counter;
-  if (list == 0)
-    hitPair(world, pile.pairs[l], impact.time);
+  ContactSolver& solver = world.solver;
+  const std::uint32_t l = impact.neighbour.index;
+  const bool pair = impact.neighbour.list == NeighbourRef::Pairs,
+             still = impact.neighbour.list == NeighbourRef::StillBodies;
+  a = pair ? solver.pairs[l].a : still ? solver.bodies[l].ball : solver.moving[l].ball;
+  b = pair ? solver.pairs[l].b : a;
+  if (solver.movers[a].last_impact > impact.predicted_at || solver.movers[b].last_impact > impact.predicted_at)
+    return false;
+  ++solver.counter;
+  if (pair)
+    hitPair(world, solver.pairs[l], impact.time);
   else
-    hitBody(world, list == 1 ? pile.bodies[l] : pile.moving[l], impact.time);
+    hitBody(world, still ? solver.bodies[l] : solver.moving[l], impact.time);
   return true;
 }
 }  // namespace
 
 void resolveImpacts(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  lookAtAll(world);
-  while (!pile.ahead.empty())
+  ContactSolver& solver = world.solver;
+  predictAll(world);
+  while (!solver.ahead.empty())
   {
-    const ImpactAhead next = pile.ahead.front();
-    std::pop_heap(pile.ahead.begin(), pile.ahead.end(), later);
-    pile.ahead.pop_back();
+    const PredictedImpact next = solver.ahead.front();
+    std::pop_heap(solver.ahead.begin(), solver.ahead.end(), later);
+    solver.ahead.pop_back();
     std::uint32_t a, b;
     if (!handle(world, next, a, b)) continue;
-    if (updateLinksAfterImpact(world, a, b))
+    if (updateNeighboursAfterImpact(world, a, b))
     {
-      lookAtAll(world);
+      predictAll(world);
       continue;
     }
-    lookAgain(world, a);
-    if (b != a) lookAgain(world, b);
+    predictAgain(world, a);
+    if (b != a) predictAgain(world, b);
   }
   updateActive(world);
 }

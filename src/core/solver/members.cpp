@@ -1,4 +1,4 @@
-// The way of balls into the pile, and back into the records of the world.
+// The way of balls into the solver, and back into the records of the world.
 #include <algorithm>
 
 #include "solver/slabs.h"
@@ -7,28 +7,28 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::size_t kPairs = 8;    // room for so many links of balls a ball from the start,
-constexpr std::size_t kTouches = 4;  // so many in touch,
-constexpr std::size_t kBodies = 2;   // so many with bodies,
-constexpr std::size_t kMore = 64;    // and these for few balls among much furniture
-constexpr std::size_t kKinds = 8;    // of balls
+constexpr std::size_t kPairs = 8;        // room for so many pairs a ball from the start,
+constexpr std::size_t kConstraints = 4;  // so many in contact,
+constexpr std::size_t kBodies = 2;       // so many with bodies,
+constexpr std::size_t kMore = 64;        // and these for few balls among much furniture
+constexpr std::size_t kTypes = 8;        // of balls
 
 bool same(const BallParams& a, const BallParams& b)
 {
   return a.radius == b.radius && a.mass == b.mass && a.inertia == b.inertia && a.material == b.material;
 }
 
-std::uint16_t kindOf(Pile& pile, const BallRecord& ball)
+std::uint16_t typeOf(ContactSolver& solver, const BallRecord& ball)
 {
-  for (std::size_t k = 0; k < pile.kinds.size(); ++k)
-    if (same(pile.kinds[k].params, ball.params())) return static_cast<std::uint16_t>(k);
-  BallKind kind{ball.params(), ball.model()};
-  if (ball.model().constant()) kind.a = ball.model().acceleration(Vector3d::Zero(), Vector3d::Zero());
-  kind.spin_per_impulse = 1.0 / (ball.params().inertia * ball.params().radius);
-  kind.inverse_mass = 1.0 / ball.params().mass;
-  kind.give = 1.0 + 1.0 / ball.params().inertia;
-  pile.kinds.push_back(kind);
-  return static_cast<std::uint16_t>(pile.kinds.size() - 1);
+  for (std::size_t k = 0; k < solver.ball_types.size(); ++k)
+    if (same(solver.ball_types[k].params, ball.params())) return static_cast<std::uint16_t>(k);
+  SolverBallType type{ball.params(), ball.model()};
+  if (ball.model().constant()) type.a = ball.model().acceleration(Vector3d::Zero(), Vector3d::Zero());
+  type.spin_per_impulse = 1.0 / (ball.params().inertia * ball.params().radius);
+  type.inverse_mass = 1.0 / ball.params().mass;
+  type.slip_per_impulse = 1.0 + 1.0 / ball.params().inertia;
+  solver.ball_types.push_back(type);
+  return static_cast<std::uint16_t>(solver.ball_types.size() - 1);
 }
 
 // What is new is as its type says, but Eigen leaves its own as they are found in memory.
@@ -48,147 +48,147 @@ void makeBlank(Quaterniond& entry)
 
 void take(WorldWithSolver& world, std::size_t slot, double time)
 {
-  Pile& pile = world.pile;
-  const BallRecord& ball = world.balls[pile.ball[slot]];
+  ContactSolver& solver = world.solver;
+  const BallRecord& ball = world.balls[solver.ball[slot]];
   const BallState state = ball.stateAt(time);
   Mover mover;
-  mover.kind = kindOf(pile, ball);
+  mover.type = typeOf(solver, ball);
   mover.v = state.v_WB;
-  mover.asleep = mover.loaded = mover.was_loaded = ball.asleep();
-  mover.p = pile.home[slot] = state.p_WB;
-  pile.movers[slot] = mover;
-  pile.w[slot] = state.w_WB;
-  pile.changes[slot] = Change();
-  pile.q[slot] = state.q_WB;
-  pile.turn[slot].setZero();
-  pile.still[slot] = pile.untouched[slot] = 0.0f;
-  pile.throws[slot] = Throw();
-  pile.links_void = true;
+  mover.asleep = mover.carried = mover.was_carried = ball.asleep();
+  mover.p = solver.home[slot] = state.p_WB;
+  solver.movers[slot] = mover;
+  solver.w[slot] = state.w_WB;
+  solver.changes[slot] = Change();
+  solver.q[slot] = state.q_WB;
+  solver.pending_rotation[slot].setZero();
+  solver.still[slot] = solver.since_contact[slot] = 0.0f;
+  solver.last_hits[slot] = BodyHit();
+  solver.neighbours_void = true;
 }
 }  // namespace
 
-std::uint32_t slotOf(const Pile& pile, std::uint32_t ball)
+std::uint32_t slotOf(const ContactSolver& solver, std::uint32_t ball)
 {
-  return static_cast<std::uint32_t>(std::find(pile.ball.begin(), pile.ball.end(), ball) - pile.ball.begin());
+  return static_cast<std::uint32_t>(std::find(solver.ball.begin(), solver.ball.end(), ball) - solver.ball.begin());
 }
 
-void clearPile(Pile& pile)
+void clearSolver(ContactSolver& solver)
 {
-  eachSlotList(pile, [](auto& list) { list.clear(); });
-  pile.kinds.clear();
-  pile.pairs.clear();
-  pile.old_kept.clear();
-  pile.bodies.clear();
-  pile.moving.clear();
-  pile.squeezed.clear();
-  for (PileShare& share : pile.shares) clearShare(share);
-  pile.counter = 1;
-  pile.steps = 0;
-  pile.h = 0.0;
-  pile.links_void = true;
+  eachSlotList(solver, [](auto& list) { list.clear(); });
+  solver.ball_types.clear();
+  solver.pairs.clear();
+  solver.old_kept.clear();
+  solver.bodies.clear();
+  solver.moving.clear();
+  solver.squeezed.clear();
+  for (SolverSlab& slab : solver.slabs) clearSlab(slab);
+  solver.counter = 1;
+  solver.steps = 0;
+  solver.h = 0.0;
+  solver.neighbours_void = true;
 }
 
 namespace
 {
-void reserveShare(PileShare& share, std::size_t balls)
+void reserveSlab(SolverSlab& slab, std::size_t balls)
 {
-  for (std::vector<std::uint32_t>* list : {&share.balls, &share.awake, &share.leaving, &share.waking})
-    list->reserve(balls);
-  for (std::vector<std::uint32_t>* list : {&share.pairs, &share.active_pairs}) list->reserve(kPairs * balls);
-  for (std::vector<std::uint32_t>* list : {&share.bodies, &share.active_bodies}) list->reserve(kBodies * balls);
-  share.body_touches.reserve(kBodies * balls);
-  share.body_batches.reserve(kBodies * balls / kLanes + kMore);
-  share.pair_batches.reserve(kTouches * balls / kLanes + kMore);
-  share.found.reserve(kTouches * balls + kLanes * kMore);
-  share.pair_links.reserve(kTouches * balls + kLanes * kMore);
-  share.ahead.reserve(balls);
+  for (std::vector<std::uint32_t>* list : {&slab.balls, &slab.awake, &slab.leaving, &slab.waking}) list->reserve(balls);
+  for (std::vector<std::uint32_t>* list : {&slab.pairs, &slab.active_pairs}) list->reserve(kPairs * balls);
+  for (std::vector<std::uint32_t>* list : {&slab.bodies, &slab.active_bodies}) list->reserve(kBodies * balls);
+  slab.body_constraints.reserve(kBodies * balls);
+  slab.body_batches.reserve(kBodies * balls / kLanes + kMore);
+  slab.pair_batches.reserve(kConstraints * balls / kLanes + kMore);
+  slab.found.reserve(kConstraints * balls + kLanes * kMore);
+  slab.pair_of.reserve(kConstraints * balls + kLanes * kMore);
+  slab.ahead.reserve(balls);
 }
 }  // namespace
 
-void reservePile(WorldWithSolver& world, std::size_t balls)
+void reserveSolver(WorldWithSolver& world, std::size_t balls)
 {
-  Pile& pile = world.pile;
-  eachSlotList(pile, world.scene.forces.dependOnVelocity(), [balls](auto& list) { list.reserve(balls); });
-  pile.kinds.reserve(kKinds);
-  pile.pairs.reserve(kPairs * balls);
-  pile.pushes.reserve(kPairs * balls);
-  pile.held.reserve(kPairs * balls);
-  for (std::vector<PairLink>& found : pile.found) found.reserve(kMore + kPairs * balls / (Pile::kMostSlabs / 2));
-  for (std::vector<BodyLink>* links : {&pile.bodies, &pile.old_bodies, &pile.moving})
-    links->reserve(kBodies * balls + kMore);
-  for (std::vector<std::uint32_t>* list : {&pile.old_slot, &pile.new_slot}) list->reserve(balls);
-  pile.share_of.reserve(balls);
-  for (PileShare& share : pile.shares) reserveShare(share, kMore + balls / (Pile::kMostSlabs / 2));
-  pile.old_kept.reserve(kTouches * balls);
-  pile.squeezed.reserve(kBodies * balls + kMore);
-  pile.first_link.reserve(balls);
-  pile.first_body.reserve(balls);
-  pile.ahead.reserve(kTouches * balls + kMore);
-  pile.grid.start.reserve(2 * balls + 3);
-  pile.grid.cell.reserve(balls);
-  pile.grid.entries.reserve(balls);
-  pile.grid.large.reserve(balls);
-  pile.grid.strays.reserve(balls);
+  ContactSolver& solver = world.solver;
+  eachSlotList(solver, world.scene.forces.dependOnVelocity(), [balls](auto& list) { list.reserve(balls); });
+  solver.ball_types.reserve(kTypes);
+  solver.pairs.reserve(kPairs * balls);
+  solver.impulses.reserve(kPairs * balls);
+  solver.force_at_sleep.reserve(kPairs * balls);
+  for (std::vector<NeighbourPair>& found : solver.found)
+    found.reserve(kMore + kPairs * balls / (ContactSolver::kMostSlabs / 2));
+  for (std::vector<BodyNeighbour>* neighbours : {&solver.bodies, &solver.old_bodies, &solver.moving})
+    neighbours->reserve(kBodies * balls + kMore);
+  for (std::vector<std::uint32_t>* list : {&solver.old_slot, &solver.new_slot}) list->reserve(balls);
+  solver.slab_of.reserve(balls);
+  for (SolverSlab& slab : solver.slabs) reserveSlab(slab, kMore + balls / (ContactSolver::kMostSlabs / 2));
+  solver.old_kept.reserve(kConstraints * balls);
+  solver.squeezed.reserve(kBodies * balls + kMore);
+  solver.first_pair.reserve(balls);
+  solver.first_body.reserve(balls);
+  solver.ahead.reserve(kConstraints * balls + kMore);
+  solver.grid.start.reserve(2 * balls + 3);
+  solver.grid.cell.reserve(balls);
+  solver.grid.entries.reserve(balls);
+  solver.grid.large.reserve(balls);
+  solver.grid.strays.reserve(balls);
 }
 
-void addToPile(WorldWithSolver& world, std::uint32_t ball, double time)
+void addToSolver(WorldWithSolver& world, std::uint32_t ball, double time)
 {
-  Pile& pile = world.pile;
-  eachSlotList(pile, !world.balls[ball].model().constant(), [](auto& list) { makeBlank(list.emplace_back()); });
-  pile.ball.back() = ball;
+  ContactSolver& solver = world.solver;
+  eachSlotList(solver, !world.balls[ball].model().constant(), [](auto& list) { makeBlank(list.emplace_back()); });
+  solver.ball.back() = ball;
   world.balls[ball].owner = BallOwner::Solver;
-  take(world, pile.ball.size() - 1, time);
+  take(world, solver.ball.size() - 1, time);
 }
 
-void dropFromPile(Pile& pile, std::uint32_t ball)
+void dropFromSolver(ContactSolver& solver, std::uint32_t ball)
 {
-  const std::uint32_t slot = slotOf(pile, ball);
-  if (slot == pile.ball.size()) return;
-  wakeNear(pile, pile.movers[slot].p, pile.radius(slot));
-  eachSlotList(pile, [slot](auto& list) { list.erase(list.begin() + slot); });
-  detachKept(pile);
-  const auto forget = [](auto& links, const auto& its)
-  { links.erase(std::remove_if(links.begin(), links.end(), its), links.end()); };
-  forget(pile.old_kept, [slot](const KeptPair& kept) { return kept.a == slot || kept.b == slot; });
-  forget(pile.bodies, [slot](const BodyLink& link) { return link.ball == slot; });
-  for (KeptPair& kept : pile.old_kept) kept.a -= kept.a > slot, kept.b -= kept.b > slot;
-  for (BodyLink& link : pile.bodies) link.ball -= link.ball > slot;
-  pile.links_void = true;
+  const std::uint32_t slot = slotOf(solver, ball);
+  if (slot == solver.ball.size()) return;
+  wakeNear(solver, solver.movers[slot].p, solver.radius(slot));
+  eachSlotList(solver, [slot](auto& list) { list.erase(list.begin() + slot); });
+  saveImpulses(solver);
+  const auto forget = [](auto& neighbours, const auto& its)
+  { neighbours.erase(std::remove_if(neighbours.begin(), neighbours.end(), its), neighbours.end()); };
+  forget(solver.old_kept, [slot](const KeptPair& kept) { return kept.a == slot || kept.b == slot; });
+  forget(solver.bodies, [slot](const BodyNeighbour& neighbour) { return neighbour.ball == slot; });
+  for (KeptPair& kept : solver.old_kept) kept.a -= kept.a > slot, kept.b -= kept.b > slot;
+  for (BodyNeighbour& neighbour : solver.bodies) neighbour.ball -= neighbour.ball > slot;
+  solver.neighbours_void = true;
 }
 
-void removeFromPile(Pile& pile, std::uint32_t ball)
+void removeFromSolver(ContactSolver& solver, std::uint32_t ball)
 {
-  dropFromPile(pile, ball);
-  for (std::uint32_t& other : pile.ball) other -= other > ball;
+  dropFromSolver(solver, ball);
+  for (std::uint32_t& other : solver.ball) other -= other > ball;
 }
 
-void disturbPile(WorldWithSolver& world)
+void disturbSolver(WorldWithSolver& world)
 {
-  for (std::size_t slot = 0; slot < world.pile.ball.size(); ++slot)
+  for (std::size_t slot = 0; slot < world.solver.ball.size(); ++slot)
   {
-    world.balls[world.pile.ball[slot]].wake();
+    world.balls[world.solver.ball[slot]].wake();
     take(world, slot, world.time);
   }
 }
 
-void restatePile(WorldWithSolver& world, std::uint32_t ball)
+void restateInSolver(WorldWithSolver& world, std::uint32_t ball)
 {
-  const std::uint32_t slot = slotOf(world.pile, ball);
-  world.balls[world.pile.ball[slot]].wake();
-  wakeNear(world.pile, world.pile.movers[slot].p, world.pile.radius(slot));
+  const std::uint32_t slot = slotOf(world.solver, ball);
+  world.balls[world.solver.ball[slot]].wake();
+  wakeNear(world.solver, world.solver.movers[slot].p, world.solver.radius(slot));
   take(world, slot, world.time);
-  wakeNear(world.pile, world.pile.movers[slot].p, world.pile.radius(slot));
+  wakeNear(world.solver, world.solver.movers[slot].p, world.solver.radius(slot));
 }
 
 void storeBall(WorldWithSolver& world, std::size_t slot, double time)
 {
-  Pile& pile = world.pile;
-  takeTurn(pile, slot);
-  Segment& path = world.balls[pile.ball[slot]].path;
+  ContactSolver& solver = world.solver;
+  applyRotation(solver, slot);
+  Segment& path = world.balls[solver.ball[slot]].path;
   path.start = time;
-  path.c[0] = pile.movers[slot].p;
-  path.c[1] = pile.movers[slot].v;
-  path.w_WB = pile.w[slot];
-  path.q_WB = pile.q[slot];
+  path.c[0] = solver.movers[slot].p;
+  path.c[1] = solver.movers[slot].v;
+  path.w_WB = solver.w[slot];
+  path.q_WB = solver.q[slot];
 }
 }  // namespace ping_pong

@@ -6,14 +6,14 @@
 
 namespace ping_pong
 {
-/// Half the edge of the box around the way of a ball that the links cover [m].
-float halfEdge(const Pile& pile, std::size_t i, int axis);
+/// Half the edge of the box around the way of a ball along which neighbours are searched [m].
+float halfEdge(const ContactSolver& solver, std::size_t i, int axis);
 /// That box, and the sphere around the same way.
-PileGrid::Entry entryOf(const Pile& pile, std::size_t i);
-/// Sorts all balls into the grid and links those whose ways come near each other; chains come later.
-void linkNear(Pile& pile, Workers& workers);
+NeighbourGrid::Entry entryOf(const ContactSolver& solver, std::size_t i);
+/// Sorts all balls into the grid and pairs those whose ways come near each other; lists by ball come later.
+void findNeighbours(ContactSolver& solver, Workers& workers);
 
-inline bool overlap(const PileGrid::Entry& a, const PileGrid::Entry& b)
+inline bool overlap(const NeighbourGrid::Entry& a, const NeighbourGrid::Entry& b)
 {
   const Eigen::Vector3f d = a.centre - b.centre;
   const float round = a.round + b.round;
@@ -22,7 +22,7 @@ inline bool overlap(const PileGrid::Entry& a, const PileGrid::Entry& b)
 
 /// Every cell that may hold the centre of a box that overlaps this one.
 template <typename Action>
-void eachCellNear(const PileGrid& grid, const PileGrid::Entry& entry, const Action& action)
+void eachCellNear(const NeighbourGrid& grid, const NeighbourGrid::Entry& entry, const Action& action)
 {
   std::array<int, 3> low, high;
   for (int axis = 0; axis < 3; ++axis)

@@ -1,4 +1,4 @@
-// Who may touch whom: links of balls whose ways for a while come near each other, until a ball leaves its way.
+// Who may touch whom: pairs of balls whose ways for a while come near each other, until a ball leaves its way.
 #include <algorithm>
 #include <cmath>
 
@@ -12,58 +12,58 @@ namespace
 {
 using Eigen::Vector3f;
 
-constexpr double kMargin = 0.08;           // that links cover around the way of a ball, in mean radii
-constexpr double kStepsAhead = 8.0;        // way that links cover, in steps of length h,
-constexpr double kRadiiAhead = 2.0;        // unless it is longer than this; one step at least
-constexpr std::size_t kManyStrays = 1000;  // balls that may leave their boxes before all are linked anew,
+constexpr double kMargin = 0.08;     // around the way of a ball along which neighbours are searched, in mean radii
+constexpr double kStepsAhead = 8.0;  // length of that way, in steps of length h,
+constexpr double kRadiiAhead = 2.0;  // unless it is longer than this; one step at least
+constexpr std::size_t kManyStrays = 1000;  // balls that may leave their boxes before all neighbours are searched anew,
 constexpr std::size_t kStrayPart = 8;      // and one in so many of them
 
-Vector3d endOfStep(const Pile& pile, std::size_t i)
+Vector3d endOfStep(const ContactSolver& solver, std::size_t i)
 {
-  const Vector3d a = pile.pathAcceleration(i);
-  return pile.movers[i].p + pile.h * (pile.movers[i].v + (0.5 * pile.h) * a);
+  const Vector3d a = solver.pathAcceleration(i);
+  return solver.movers[i].p + solver.h * (solver.movers[i].v + (0.5 * solver.h) * a);
 }
 
-bool covered(const Pile& pile, std::size_t i)
+bool covered(const ContactSolver& solver, std::size_t i)
 {
-  const Vector3f way = (endOfStep(pile, i) - pile.home[i]).cast<float>();
-  if (way.squaredNorm() <= pile.margin * pile.margin) return true;
-  const Vector3f& sweep = pile.sweep[i];
-  const float round = 0.5f * sweep.norm() + pile.margin;
-  return ((way - sweep.cwiseMax(0.0f)).array() <= pile.margin).all() &&
-         ((sweep.cwiseMin(0.0f) - way).array() <= pile.margin).all() &&
-         (way - 0.5f * sweep).squaredNorm() <= round * round;
+  const Vector3f way = (endOfStep(solver, i) - solver.home[i]).cast<float>();
+  if (way.squaredNorm() <= solver.margin * solver.margin) return true;
+  const Vector3f& displacement = solver.displacement[i];
+  const float round = 0.5f * displacement.norm() + solver.margin;
+  return ((way - displacement.cwiseMax(0.0f)).array() <= solver.margin).all() &&
+         ((displacement.cwiseMin(0.0f) - way).array() <= solver.margin).all() &&
+         (way - 0.5f * displacement).squaredNorm() <= round * round;
 }
 
 // A box around the way from home. After an impact in this step the way begins where it happened.
-void coverWay(Pile& pile, std::size_t i)
+void coverWay(ContactSolver& solver, std::size_t i)
 {
-  const Mover& mover = pile.movers[i];
-  const Vector3d a = pile.pathAcceleration(i);
+  const Mover& mover = solver.movers[i];
+  const Vector3d a = solver.pathAcceleration(i);
   const double t = mover.clock;
-  const Vector3d from = pile.movers[i].p + t * (mover.v + (0.5 * t) * a);
-  pile.anchor[i] += (pile.home[i] - from).cast<float>();
-  pile.home[i] = from;
+  const Vector3d from = solver.movers[i].p + t * (mover.v + (0.5 * t) * a);
+  solver.anchor[i] += (solver.home[i] - from).cast<float>();
+  solver.home[i] = from;
   const double speed = mover.v.norm();
-  const double reach = kRadiiAhead * pile.radius(i);
+  const double reach = kRadiiAhead * solver.radius(i);
   const double ahead =
-      std::max(pile.h, std::min(kStepsAhead * pile.h, speed > 0.0 ? reach / speed : kStepsAhead * pile.h));
-  pile.sweep[i] = (ahead * (mover.v + (0.5 * ahead) * a)).cast<float>();
+      std::max(solver.h, std::min(kStepsAhead * solver.h, speed > 0.0 ? reach / speed : kStepsAhead * solver.h));
+  solver.displacement[i] = (ahead * (mover.v + (0.5 * ahead) * a)).cast<float>();
 }
 
-bool linked(const Pile& pile, std::uint32_t ball, std::size_t body, std::size_t shape)
+bool isNeighbour(const ContactSolver& solver, std::uint32_t ball, std::size_t body, std::size_t shape)
 {
-  for (std::uint32_t l = pile.first_body[ball]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
-    if (pile.bodies[l].body == body && pile.bodies[l].shape == shape) return true;
+  for (std::uint32_t l = solver.first_body[ball]; l != ContactSolver::kEndOfList; l = solver.bodies[l].next)
+    if (solver.bodies[l].body == body && solver.bodies[l].shape == shape) return true;
   return false;
 }
 
-// With the still bodies on its way that it is not linked with yet.
-void linkWithBodies(WorldWithSolver& world, std::uint32_t i)
+// Adds the still bodies on its way that are not its neighbours yet.
+void addBodyNeighbours(WorldWithSolver& world, std::uint32_t i)
 {
-  Pile& pile = world.pile;
-  const Vector3d centre = pile.home[i] + 0.5 * pile.sweep[i].cast<double>();
-  const Vector3d half(halfEdge(pile, i, 0), halfEdge(pile, i, 1), halfEdge(pile, i, 2));
+  ContactSolver& solver = world.solver;
+  const Vector3d centre = solver.home[i] + 0.5 * solver.displacement[i].cast<double>();
+  const Vector3d half(halfEdge(solver, i, 0), halfEdge(solver, i, 1), halfEdge(solver, i, 2));
   Box box;
   box.low = centre - half;
   box.high = centre + half;
@@ -72,113 +72,115 @@ void linkWithBodies(WorldWithSolver& world, std::uint32_t i)
     if (world.bodies[b].moving) continue;
     for (std::size_t s = 0; s < world.bodies[b].boxes.size(); ++s)
     {
-      if (!box.overlaps(world.bodies[b].boxes[s]) || linked(pile, i, b, s)) continue;
-      pile.bodies.push_back({i, pile.first_body[i], static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s)});
-      pile.first_body[i] = static_cast<std::uint32_t>(pile.bodies.size() - 1);
+      if (!box.overlaps(world.bodies[b].boxes[s]) || isNeighbour(solver, i, b, s)) continue;
+      solver.bodies.push_back({i, solver.first_body[i], static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s)});
+      solver.first_body[i] = static_cast<std::uint32_t>(solver.bodies.size() - 1);
     }
   }
 }
 
-void linkBodies(WorldWithSolver& world)
+void findBodyNeighbours(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  pile.first_body.assign(pile.movers.size(), Pile::kEndOfChain);
-  for (std::uint32_t i = 0; i < pile.movers.size(); ++i) linkWithBodies(world, i);
+  ContactSolver& solver = world.solver;
+  solver.first_body.assign(solver.movers.size(), ContactSolver::kEndOfList);
+  for (std::uint32_t i = 0; i < solver.movers.size(); ++i) addBodyNeighbours(world, i);
 }
 
-void chainPair(Pile& pile, std::uint32_t l)
+void listPair(ContactSolver& solver, std::uint32_t l)
 {
-  PairLink& link = pile.pairs[l];
-  link.next_a = pile.first_link[link.a];
-  link.next_b = pile.first_link[link.b];
-  pile.first_link[link.a] = 2 * l;
-  pile.first_link[link.b] = 2 * l + 1;
+  NeighbourPair& pair = solver.pairs[l];
+  pair.next_a = solver.first_pair[pair.a];
+  pair.next_b = solver.first_pair[pair.b];
+  solver.first_pair[pair.a] = {l, 0};
+  solver.first_pair[pair.b] = {l, 1};
 }
 
-void chainPairs(Pile& pile)
+void listPairs(ContactSolver& solver)
 {
-  pile.first_link.assign(pile.movers.size(), Pile::kEndOfChain);
-  for (std::uint32_t l = static_cast<std::uint32_t>(pile.pairs.size()); l-- > 0;) chainPair(pile, l);
+  solver.first_pair.assign(solver.movers.size(), PairEnd::endOfList());
+  for (std::uint32_t l = static_cast<std::uint32_t>(solver.pairs.size()); l-- > 0;) listPair(solver, l);
 }
 
-// Links that were there before keep what they know.
-void remember(Pile& pile)
+// Pairs that were there before keep their impulses.
+void restoreImpulses(ContactSolver& solver)
 {
-  pile.pushes.assign(pile.pairs.size(), Lanes{});
-  pile.held.assign(pile.pairs.size(), -1.0f);
-  for (const KeptPair& old : pile.old_kept)
-    pile.anyLink(old.a,
-                 [&](std::uint32_t l)
-                 {
-                   if (pile.pairs[l].a != old.a || pile.pairs[l].b != old.b) return false;
-                   pile.pushes[l] = old.push;
-                   pile.held[l] = old.held;
-                   return true;
-                 });
-  pile.old_kept.clear();
-  for (const BodyLink& old : pile.old_bodies)
-    for (std::uint32_t l = pile.first_body[old.ball]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
-      if (pile.bodies[l].body == old.body && pile.bodies[l].shape == old.shape) pile.bodies[l].push = old.push;
+  solver.impulses.assign(solver.pairs.size(), Lanes{});
+  solver.force_at_sleep.assign(solver.pairs.size(), -1.0f);
+  for (const KeptPair& old : solver.old_kept)
+    solver.anyPair(old.a,
+                   [&](std::uint32_t l)
+                   {
+                     if (solver.pairs[l].a != old.a || solver.pairs[l].b != old.b) return false;
+                     solver.impulses[l] = old.impulse;
+                     solver.force_at_sleep[l] = old.force_at_sleep;
+                     return true;
+                   });
+  solver.old_kept.clear();
+  for (const BodyNeighbour& old : solver.old_bodies)
+    for (std::uint32_t l = solver.first_body[old.ball]; l != ContactSolver::kEndOfList; l = solver.bodies[l].next)
+      if (solver.bodies[l].body == old.body && solver.bodies[l].shape == old.shape)
+        solver.bodies[l].impulse = old.impulse;
 }
 
 // --- a ball that leaves its box before the others ---
 
-void linkStray(Pile& pile, std::uint32_t i, const PileGrid::Entry& mine, const PileGrid::Entry& other)
+void addStrayPair(ContactSolver& solver, std::uint32_t i, const NeighbourGrid::Entry& mine,
+                  const NeighbourGrid::Entry& other)
 {
   const std::uint32_t k = other.slot;
   if (k == i || !overlap(mine, other)) return;
-  if (pile.anyLink(i, [&](std::uint32_t l) { return pile.pairs[l].a == k || pile.pairs[l].b == k; })) return;
-  const auto l = static_cast<std::uint32_t>(pile.pairs.size());
-  pile.pairs.push_back({std::min(i, k), std::max(i, k), 0, 0});
-  pile.pushes.push_back(Lanes{});
-  pile.held.push_back(-1.0f);
-  PileShare& share = shareOf(pile, pile.pairs[l]);
-  share.pairs.push_back(l);
-  share.active_pairs.push_back(l);
-  chainPair(pile, l);
+  if (solver.anyPair(i, [&](std::uint32_t l) { return solver.pairs[l].a == k || solver.pairs[l].b == k; })) return;
+  const auto l = static_cast<std::uint32_t>(solver.pairs.size());
+  solver.pairs.push_back({std::min(i, k), std::max(i, k), {}, {}});
+  solver.impulses.push_back(Lanes{});
+  solver.force_at_sleep.push_back(-1.0f);
+  SolverSlab& slab = slabOf(solver, solver.pairs[l]);
+  slab.pairs.push_back(l);
+  slab.active_pairs.push_back(l);
+  listPair(solver, l);
 }
 
-void stray(WorldWithSolver& world, std::uint32_t i)
+void coverStray(WorldWithSolver& world, std::uint32_t i)
 {
-  Pile& pile = world.pile;
-  coverWay(pile, i);
-  const PileGrid::Entry mine = entryOf(pile, i);
-  const PileGrid& grid = pile.grid;
+  ContactSolver& solver = world.solver;
+  coverWay(solver, i);
+  const NeighbourGrid::Entry mine = entryOf(solver, i);
+  const NeighbourGrid& grid = solver.grid;
   eachCellNear(grid, mine,
                [&](std::size_t cell)
                {
                  for (std::uint32_t e = grid.start[cell]; e < grid.start[cell + 1]; ++e)
-                   linkStray(pile, i, mine, grid.entries[e]);
+                   addStrayPair(solver, i, mine, grid.entries[e]);
                });
-  for (const PileGrid::Entry& other : grid.large) linkStray(pile, i, mine, other);
-  for (const PileGrid::Entry& other : grid.strays) linkStray(pile, i, mine, other);
-  pile.grid.strays.push_back(mine);
-  const std::size_t before = pile.bodies.size();
-  linkWithBodies(world, i);
-  PileShare& share = pile.shares[pile.share_of[i]];
-  for (std::size_t l = before; l < pile.bodies.size(); ++l)
-    for (std::vector<std::uint32_t>* list : {&share.bodies, &share.active_bodies})
+  for (const NeighbourGrid::Entry& other : grid.large) addStrayPair(solver, i, mine, other);
+  for (const NeighbourGrid::Entry& other : grid.strays) addStrayPair(solver, i, mine, other);
+  solver.grid.strays.push_back(mine);
+  const std::size_t before = solver.bodies.size();
+  addBodyNeighbours(world, i);
+  SolverSlab& slab = solver.slabs[solver.slab_of[i]];
+  for (std::size_t l = before; l < solver.bodies.size(); ++l)
+    for (std::vector<std::uint32_t>* list : {&slab.bodies, &slab.active_bodies})
       list->push_back(static_cast<std::uint32_t>(l));
 }
 
-bool manyStrays(const Pile& pile, std::size_t more)
+bool manyStrays(const ContactSolver& solver, std::size_t more)
 {
-  return pile.grid.strays.size() + more > std::min(kManyStrays, pile.movers.size() / kStrayPart + 1);
+  return solver.grid.strays.size() + more > std::min(kManyStrays, solver.movers.size() / kStrayPart + 1);
 }
 
 // How many balls leave their boxes in this step.
 std::size_t findLeaving(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  eachShare(world,
-            [&pile](PileShare& share)
-            {
-              share.leaving.clear();
-              for (const std::uint32_t i : share.awake)
-                if (!covered(pile, i)) share.leaving.push_back(i);
-            });
+  ContactSolver& solver = world.solver;
+  eachSlab(world,
+           [&solver](SolverSlab& slab)
+           {
+             slab.leaving.clear();
+             for (const std::uint32_t i : slab.awake)
+               if (!covered(solver, i)) slab.leaving.push_back(i);
+           });
   std::size_t leaving = 0;
-  for (const PileShare& share : pile.shares) leaving += share.leaving.size();
+  for (const SolverSlab& slab : solver.slabs) leaving += slab.leaving.size();
   return leaving;
 }
 
@@ -191,65 +193,65 @@ unsigned versionsOf(const WorldWithSolver& world)
 
 void build(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  if (pile.movers.size() > 1) count(Law::BroadPhase);
-  detachKept(pile);
-  pile.old_bodies.swap(pile.bodies);
-  pile.bodies.clear();
-  sortSlots(pile);
+  ContactSolver& solver = world.solver;
+  if (solver.movers.size() > 1) count(Law::BroadPhase);
+  saveImpulses(solver);
+  solver.old_bodies.swap(solver.bodies);
+  solver.bodies.clear();
+  sortSlots(solver);
   double radii = 0.0;
-  for (std::size_t i = 0; i < pile.movers.size(); ++i) radii += pile.radius(i);
-  pile.margin = static_cast<float>(kMargin * radii / static_cast<double>(pile.movers.size()));
-  for (std::size_t i = 0; i < pile.movers.size(); ++i) coverWay(pile, i);
-  linkNear(pile, world.workers);
-  linkBodies(world);
-  chainPairs(pile);
-  cutPile(pile, world.scene.forces.gravity);
-  shareLinks(pile);
-  remember(pile);
-  pile.links_void = false;
-  pile.body_versions = versionsOf(world);
+  for (std::size_t i = 0; i < solver.movers.size(); ++i) radii += solver.radius(i);
+  solver.margin = static_cast<float>(kMargin * radii / static_cast<double>(solver.movers.size()));
+  for (std::size_t i = 0; i < solver.movers.size(); ++i) coverWay(solver, i);
+  findNeighbours(solver, world.workers);
+  findBodyNeighbours(world);
+  listPairs(solver);
+  cutSlabs(solver, world.scene.forces.gravity);
+  listBySlab(solver);
+  restoreImpulses(solver);
+  solver.neighbours_void = false;
+  solver.body_versions = versionsOf(world);
 }
 }  // namespace
 
-void detachKept(Pile& pile)
+void saveImpulses(ContactSolver& solver)
 {
-  for (std::size_t l = 0; l < pile.pairs.size(); ++l)
-    if (pile.pushes[l][3] > 0.0f || pile.held[l] >= 0.0f)
-      pile.old_kept.push_back({pile.pairs[l].a, pile.pairs[l].b, pile.held[l], pile.pushes[l]});
-  pile.pairs.clear();
+  for (std::size_t l = 0; l < solver.pairs.size(); ++l)
+    if (solver.impulses[l][3] > 0.0f || solver.force_at_sleep[l] >= 0.0f)
+      solver.old_kept.push_back({solver.pairs[l].a, solver.pairs[l].b, solver.force_at_sleep[l], solver.impulses[l]});
+  solver.pairs.clear();
 }
 
-void updateLinks(WorldWithSolver& world)
+void updateNeighbours(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  bool anew = pile.links_void || pile.body_versions != versionsOf(world);
+  ContactSolver& solver = world.solver;
+  bool anew = solver.neighbours_void || solver.body_versions != versionsOf(world);
   if (!anew)
   {
     updateActive(world);
-    anew = manyStrays(pile, findLeaving(world));
+    anew = manyStrays(solver, findLeaving(world));
   }
   if (anew)
     build(world);
   else
-    for (const PileShare& share : pile.shares)
-      for (const std::uint32_t i : share.leaving) stray(world, i);
+    for (const SolverSlab& slab : solver.slabs)
+      for (const std::uint32_t i : slab.leaving) coverStray(world, i);
   updateActive(world);
 }
 
-bool updateLinksAfterImpact(WorldWithSolver& world, std::uint32_t a, std::uint32_t b)
+bool updateNeighboursAfterImpact(WorldWithSolver& world, std::uint32_t a, std::uint32_t b)
 {
-  Pile& pile = world.pile;
+  ContactSolver& solver = world.solver;
   for (const std::uint32_t i : {a, b})
   {
-    if (covered(pile, i)) continue;
-    if (manyStrays(pile, 1))
+    if (covered(solver, i)) continue;
+    if (manyStrays(solver, 1))
     {
       build(world);
       updateActive(world);
       return true;
     }
-    stray(world, i);
+    coverStray(world, i);
   }
   return false;
 }

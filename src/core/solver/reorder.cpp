@@ -11,27 +11,28 @@ namespace
 {
 constexpr std::size_t kScattered = 16;  // one in so many slots follows one of another slab
 
-bool scattered(const Pile& pile)
+bool scattered(const ContactSolver& solver)
 {
-  const std::size_t n = pile.movers.size();
-  if (pile.share_of.size() != n || pile.grid.cell.size() != n || pile.slabs == 1)
-    return false;  // not known since the last links
+  const std::size_t n = solver.movers.size();
+  if (solver.slab_of.size() != n || solver.grid.cell.size() != n || solver.slab_count == 1)
+    return false;  // not known since the last search
   std::size_t jumps = 0;
-  for (std::size_t i = 1; i < n; ++i) jumps += pile.share_of[i] != pile.share_of[i - 1];
-  return jumps > n / kScattered + 2 * pile.slabs;
+  for (std::size_t i = 1; i < n; ++i) jumps += solver.slab_of[i] != solver.slab_of[i - 1];
+  return jumps > n / kScattered + 2 * solver.slab_count;
 }
 
 // By slab, then by cell; the rest as it was.
-void findOrder(Pile& pile)
+void findOrder(ContactSolver& solver)
 {
-  const auto placeOf = [&pile](std::uint32_t i) { return std::uint64_t{pile.share_of[i]} << 32 | pile.grid.cell[i]; };
-  pile.old_slot.resize(pile.movers.size());
-  std::iota(pile.old_slot.begin(), pile.old_slot.end(), 0u);
-  std::sort(pile.old_slot.begin(), pile.old_slot.end(),
+  const auto placeOf = [&solver](std::uint32_t i)
+  { return std::uint64_t{solver.slab_of[i]} << 32 | solver.grid.cell[i]; };
+  solver.old_slot.resize(solver.movers.size());
+  std::iota(solver.old_slot.begin(), solver.old_slot.end(), 0u);
+  std::sort(solver.old_slot.begin(), solver.old_slot.end(),
             [&](std::uint32_t i, std::uint32_t k)
             { return placeOf(i) != placeOf(k) ? placeOf(i) < placeOf(k) : i < k; });
-  pile.new_slot.resize(pile.old_slot.size());
-  for (std::uint32_t i = 0; i < pile.old_slot.size(); ++i) pile.new_slot[pile.old_slot[i]] = i;
+  solver.new_slot.resize(solver.old_slot.size());
+  for (std::uint32_t i = 0; i < solver.old_slot.size(); ++i) solver.new_slot[solver.old_slot[i]] = i;
 }
 
 // Each slot is filled by a swap with one behind it: where its ball is by then.
@@ -54,18 +55,18 @@ void rename(KeptPair& kept, const std::vector<std::uint32_t>& new_slot)
   kept.b = new_slot[kept.b];
   if (kept.a < kept.b) return;
   std::swap(kept.a, kept.b);
-  kept.push *= Lanes{-1.0f, -1.0f, -1.0f, 1.0f};
+  kept.impulse *= Lanes{-1.0f, -1.0f, -1.0f, 1.0f};
 }
 }  // namespace
 
-void sortSlots(Pile& pile)
+void sortSlots(ContactSolver& solver)
 {
-  if (!scattered(pile)) return;
-  findOrder(pile);
-  for (KeptPair& kept : pile.old_kept) rename(kept, pile.new_slot);
-  for (std::vector<BodyLink>* links : {&pile.old_bodies, &pile.moving})
-    for (BodyLink& link : *links) link.ball = pile.new_slot[link.ball];
-  turnIntoSwaps(pile.old_slot);
-  eachSlotList(pile, [&pile](auto& list) { swapAll(list, pile.old_slot); });
+  if (!scattered(solver)) return;
+  findOrder(solver);
+  for (KeptPair& kept : solver.old_kept) rename(kept, solver.new_slot);
+  for (std::vector<BodyNeighbour>* neighbours : {&solver.old_bodies, &solver.moving})
+    for (BodyNeighbour& neighbour : *neighbours) neighbour.ball = solver.new_slot[neighbour.ball];
+  turnIntoSwaps(solver.old_slot);
+  eachSlotList(solver, [&solver](auto& list) { swapAll(list, solver.old_slot); });
 }
 }  // namespace ping_pong

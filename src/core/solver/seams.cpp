@@ -35,10 +35,10 @@ class Search
 public:
   explicit Search(const Proximity& near) : near_(near) {}
 
-  void look(const Proximity& other, bool first, std::uint32_t link)
+  void look(const Proximity& other, bool first, std::uint32_t neighbour)
   {
     if (!continues(near_, other) || !comesFirst(other, near_, first)) return;
-    if (!found_.there || comesFirst(other, found_.surface, false)) found_ = {true, link, other};
+    if (!found_.there || comesFirst(other, found_.surface, false)) found_ = {true, neighbour, other};
   }
   const Seam& found() const { return found_; }
 
@@ -47,40 +47,45 @@ private:
   Seam found_;
 };
 
-Seam seamInBody(const WorldWithSolver& world, const BodyLink& link, const Proximity& near, const Vector3d& p, double t)
+Seam seamInBody(const WorldWithSolver& world, const BodyNeighbour& neighbour, const Proximity& near, const Vector3d& p,
+                double t)
 {
-  const BodyRecord& body = world.bodies[link.body];
-  const BodyFrame frame = body.at(world.pile.start + t);
+  const BodyRecord& body = world.bodies[neighbour.body];
+  const BodyFrame frame = body.at(world.solver.start + t);
   Search search(near);
   for (std::size_t s = 0; s < body.body.shapes.size(); ++s)
-    if (s != link.shape) search.look(nearestTo(body.body.shapes[s], frame, p), s < link.shape, Pile::kEndOfChain);
+    if (s != neighbour.shape)
+      search.look(nearestTo(body.body.shapes[s], frame, p), s < neighbour.shape, ContactSolver::kEndOfList);
   return search.found();
 }
 
-Seam seamAmongStill(const WorldWithSolver& world, const BodyLink& link, const Proximity& near, const Vector3d& p)
+Seam seamAmongStill(const WorldWithSolver& world, const BodyNeighbour& neighbour, const Proximity& near,
+                    const Vector3d& p)
 {
-  const Pile& pile = world.pile;
+  const ContactSolver& solver = world.solver;
   Search search(near);
-  for (std::uint32_t l = pile.first_body[link.ball]; l != Pile::kEndOfChain; l = pile.bodies[l].next)
+  for (std::uint32_t l = solver.first_body[neighbour.ball]; l != ContactSolver::kEndOfList; l = solver.bodies[l].next)
   {
-    const BodyLink& other = pile.bodies[l];
-    if (other.body == link.body && other.shape == link.shape) continue;
-    const bool first = other.body != link.body ? other.body < link.body : other.shape < link.shape;
+    const BodyNeighbour& other = solver.bodies[l];
+    if (other.body == neighbour.body && other.shape == neighbour.shape) continue;
+    const bool first = other.body != neighbour.body ? other.body < neighbour.body : other.shape < neighbour.shape;
     search.look(proximity(world.bodies[other.body].placed[other.shape], p), first, l);
   }
   return search.found();
 }
 }  // namespace
 
-Proximity nearestOf(const WorldWithSolver& world, const BodyLink& link, const Vector3d& p, double t)
+Proximity nearestOf(const WorldWithSolver& world, const BodyNeighbour& neighbour, const Vector3d& p, double t)
 {
-  const BodyRecord& body = world.bodies[link.body];
-  if (!body.moving) return proximity(body.placed[link.shape], p);
-  return nearestTo(body.body.shapes[link.shape], body.at(world.pile.start + t), p);
+  const BodyRecord& body = world.bodies[neighbour.body];
+  if (!body.moving) return proximity(body.placed[neighbour.shape], p);
+  return nearestTo(body.body.shapes[neighbour.shape], body.at(world.solver.start + t), p);
 }
 
-Seam seamWith(const WorldWithSolver& world, const BodyLink& link, const Proximity& near, const Vector3d& p, double t)
+Seam seamWith(const WorldWithSolver& world, const BodyNeighbour& neighbour, const Proximity& near, const Vector3d& p,
+              double t)
 {
-  return world.bodies[link.body].moving ? seamInBody(world, link, near, p, t) : seamAmongStill(world, link, near, p);
+  return world.bodies[neighbour.body].moving ? seamInBody(world, neighbour, near, p, t)
+                                             : seamAmongStill(world, neighbour, near, p);
 }
 }  // namespace ping_pong

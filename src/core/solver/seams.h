@@ -9,18 +9,19 @@
 
 namespace ping_pong
 {
-/// What of the shape of a link is nearest to a place; in W. @param t  from the start of the step [s]
-Proximity nearestOf(const WorldWithSolver& world, const BodyLink& link, const Vector3d& p_W, double t);
+/// What of the shape of a neighbour is nearest to a place; in W. @param t  from the start of the step [s]
+Proximity nearestOf(const WorldWithSolver& world, const BodyNeighbour& neighbour, const Vector3d& p_W, double t);
 
 /// A surface that another one continues.
 struct Seam
 {
   bool there = false;
-  std::uint32_t link = Pile::kEndOfChain;  ///< with it, if it is a still body's
+  std::uint32_t neighbour = ContactSolver::kEndOfList;  ///< with it, if it is a still body's
   Proximity surface;
 };
 
 /// Whether a shape is near this ball with something that only continues another shape, which is nearer: of the same body, or of
 /// two still ones. @param near  what of it is nearest to the ball, at place p_W and time t
-Seam seamWith(const WorldWithSolver& world, const BodyLink& link, const Proximity& near, const Vector3d& p_W, double t);
+Seam seamWith(const WorldWithSolver& world, const BodyNeighbour& neighbour, const Proximity& near, const Vector3d& p_W,
+              double t);
 }  // namespace ping_pong

@@ -12,9 +12,9 @@ constexpr std::size_t kBinsInAWidth = 4;  // the least width of a slab, in bins 
 constexpr std::size_t kMostBins = 1024;
 constexpr double kSpread = 3.0;  // bins cover so many standard deviations; balls outside are in the outer ones
 
-double placeOf(const Pile& pile, std::size_t i, int axis)
+double placeOf(const ContactSolver& solver, std::size_t i, int axis)
 {
-  return pile.home[i][axis] + 0.5 * static_cast<double>(pile.sweep[i][axis]);
+  return solver.home[i][axis] + 0.5 * static_cast<double>(solver.displacement[i][axis]);
 }
 
 struct Spread
@@ -22,17 +22,17 @@ struct Spread
   Vector3d mean = Vector3d::Zero(), deviation = Vector3d::Zero();
 };
 
-Spread spreadOf(const Pile& pile)
+Spread spreadOf(const ContactSolver& solver)
 {
-  const double n = static_cast<double>(pile.movers.size());
+  const double n = static_cast<double>(solver.movers.size());
   Spread spread;
-  for (const Vector3d& home : pile.home) spread.mean += home / n;
-  for (const Vector3d& home : pile.home) spread.deviation += (home - spread.mean).cwiseAbs2() / n;
+  for (const Vector3d& home : solver.home) spread.mean += home / n;
+  for (const Vector3d& home : solver.home) spread.deviation += (home - spread.mean).cwiseAbs2() / n;
   spread.deviation = spread.deviation.cwiseSqrt();
   return spread;
 }
 
-// Impulses travel along the axis of gravity above all: a sweep through a slab follows them from layer to layer.
+// Impulses travel along the axis of gravity above all: an iteration through a slab follows them from layer to layer.
 int widestAxis(const Spread& spread, const Vector3d& up)
 {
   int axis;
@@ -50,14 +50,14 @@ struct Histogram
   std::size_t bins = 1;
   std::array<std::uint32_t, kMostBins + 1> count{};
 
-  Histogram(const Pile& pile, const Spread& spread, int axis)
+  Histogram(const ContactSolver& solver, const Spread& spread, int axis)
   {
     const double half = kSpread * spread.deviation[axis],
-                 bin = static_cast<double>(pile.grid.large_edge) / kBinsInAWidth;
+                 bin = static_cast<double>(solver.grid.large_edge) / kBinsInAWidth;
     origin = spread.mean[axis] - half;
     bins_per_metre = 1.0 / std::max(bin, 2.0 * half / static_cast<double>(kMostBins));
     bins = static_cast<std::size_t>(2.0 * half * bins_per_metre) + 1;
-    for (std::size_t i = 0; i < pile.movers.size(); ++i) ++count[binOf(placeOf(pile, i, axis))];
+    for (std::size_t i = 0; i < solver.movers.size(); ++i) ++count[binOf(placeOf(solver, i, axis))];
   }
   std::size_t binOf(double place) const
   {
@@ -65,15 +65,15 @@ struct Histogram
   }
 };
 
-// The slab of each bin: a slab ends where it has its share of the balls and is wide enough.
-std::array<std::uint8_t, kMostBins + 1> slabsOf(const Histogram& histogram, std::size_t balls)
+// The slab of each bin: a slab ends where it has its part of the balls and is wide enough.
+std::array<std::uint8_t, kMostBins + 1> slabsOfBins(const Histogram& histogram, std::size_t balls)
 {
-  const std::size_t most = std::clamp<std::size_t>(balls / kFewestBalls, 1, Pile::kMostSlabs);
-  std::array<std::uint8_t, kMostBins + 1> slab{};
+  const std::size_t most = std::clamp<std::size_t>(balls / kFewestBalls, 1, ContactSolver::kMostSlabs);
+  std::array<std::uint8_t, kMostBins + 1> slab_of_bin{};
   std::size_t before = 0, seen = 0, first = 0, now = 0;
   for (std::size_t bin = 0; bin < histogram.bins; ++bin)
   {
-    slab[bin] = static_cast<std::uint8_t>(now);
+    slab_of_bin[bin] = static_cast<std::uint8_t>(now);
     seen += histogram.count[bin];
     const bool enough = (seen - before) * (most - now) >= balls - before && bin + 1 - first >= kBinsInAWidth;
     const bool room_for_another = now + 1 < most && histogram.bins - (bin + 1) >= kBinsInAWidth;
@@ -82,45 +82,45 @@ std::array<std::uint8_t, kMostBins + 1> slabsOf(const Histogram& histogram, std:
     before = seen;
     first = bin + 1;
   }
-  return slab;
+  return slab_of_bin;
 }
 
 }  // namespace
 
-void clearShare(PileShare& share)
+void clearSlab(SolverSlab& slab)
 {
-  for (std::vector<std::uint32_t>* list : {&share.balls, &share.awake, &share.pairs, &share.bodies, &share.active_pairs,
-                                           &share.active_bodies, &share.leaving, &share.waking})
+  for (std::vector<std::uint32_t>* list : {&slab.balls, &slab.awake, &slab.pairs, &slab.bodies, &slab.active_pairs,
+                                           &slab.active_bodies, &slab.leaving, &slab.waking})
     list->clear();
-  share.body_touches.clear();
-  share.pair_batches.clear();
-  share.body_batches.clear();
-  share.ahead.clear();
-  share.active_void = false;
+  slab.body_constraints.clear();
+  slab.pair_batches.clear();
+  slab.body_batches.clear();
+  slab.ahead.clear();
+  slab.active_void = false;
 }
 
-void cutPile(Pile& pile, const Vector3d& up)
+void cutSlabs(ContactSolver& solver, const Vector3d& up)
 {
-  const Spread spread = spreadOf(pile);
+  const Spread spread = spreadOf(solver);
   const int axis = widestAxis(spread, up);
-  const Histogram histogram(pile, spread, axis);
-  const std::array<std::uint8_t, kMostBins + 1> slab = slabsOf(histogram, pile.movers.size());
-  pile.slabs = slab[histogram.bins - 1] + std::size_t{1};
-  for (PileShare& share : pile.shares) clearShare(share);
-  for (std::size_t k = 0; k < pile.slabs; ++k) pile.shares[k].active_void = true;
-  pile.lastShare().active_void = true;
-  pile.share_of.resize(pile.movers.size());
-  for (std::uint32_t i = 0; i < pile.movers.size(); ++i)
+  const Histogram histogram(solver, spread, axis);
+  const std::array<std::uint8_t, kMostBins + 1> slab_of_bin = slabsOfBins(histogram, solver.movers.size());
+  solver.slab_count = slab_of_bin[histogram.bins - 1] + std::size_t{1};
+  for (SolverSlab& slab : solver.slabs) clearSlab(slab);
+  for (std::size_t k = 0; k < solver.slab_count; ++k) solver.slabs[k].active_void = true;
+  solver.lastSlab().active_void = true;
+  solver.slab_of.resize(solver.movers.size());
+  for (std::uint32_t i = 0; i < solver.movers.size(); ++i)
   {
-    pile.share_of[i] = slab[histogram.binOf(placeOf(pile, i, axis))];
-    pile.shares[pile.share_of[i]].balls.push_back(i);
+    solver.slab_of[i] = slab_of_bin[histogram.binOf(placeOf(solver, i, axis))];
+    solver.slabs[solver.slab_of[i]].balls.push_back(i);
   }
 }
 
-void shareLinks(Pile& pile)
+void listBySlab(ContactSolver& solver)
 {
-  for (std::uint32_t l = 0; l < pile.pairs.size(); ++l) shareOf(pile, pile.pairs[l]).pairs.push_back(l);
-  for (std::uint32_t l = 0; l < pile.bodies.size(); ++l)
-    pile.shares[pile.share_of[pile.bodies[l].ball]].bodies.push_back(l);
+  for (std::uint32_t l = 0; l < solver.pairs.size(); ++l) slabOf(solver, solver.pairs[l]).pairs.push_back(l);
+  for (std::uint32_t l = 0; l < solver.bodies.size(); ++l)
+    solver.slabs[solver.slab_of[solver.bodies[l].ball]].bodies.push_back(l);
 }
 }  // namespace ping_pong

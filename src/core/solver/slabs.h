@@ -1,8 +1,8 @@
-// The pile cut into slabs that threads work on at the same time: the same slabs, in the same order, for any number of threads.
+// The solver cut into slabs that threads work on at the same time: the same slabs, in the same order, for any number of threads.
 //
-// A slab is at least as wide as two linked balls are apart, but for a few very fast ones. So a link of which one ball is in
-// slab s has the other there or in slab s + 1, and belongs to s: work on the links of slabs s and s + 2 shares no ball. What
-// links farther is in a share of its own, the last one.
+// A slab is at least as wide as two neighbours are apart, but for a few very fast ones. So a pair of which one ball is in
+// slab s has the other there or in slab s + 1, and belongs to s: the pairs of slabs s and s + 2 have no ball in common. What
+// reaches farther is in a slab of its own, the last one.
 #pragma once
 
 #include "solver/solver_state.h"
@@ -10,54 +10,54 @@
 namespace ping_pong
 {
 /// Cuts anew, across the horizontal axis along which balls are spread most: slabs of about as many balls each.
-/// @param up  or down: the axis that is left out if the pile is wide enough
-void cutPile(Pile& pile, const Vector3d& up);
+/// @param up  or down: the axis that is left out if the heap is wide enough
+void cutSlabs(ContactSolver& solver, const Vector3d& up);
 
 /// As before the first step, with the memory that it has.
-void clearShare(PileShare& share);
+void clearSlab(SolverSlab& slab);
 
-/// Before links are built: gives balls other slots, if they are scattered over the slabs of the last ones.
-void sortSlots(Pile& pile);
+/// Before neighbours are searched: gives balls other slots, if they are scattered over the slabs of the last ones.
+void sortSlots(ContactSolver& solver);
 
-/// Lists all links in their shares.
-void shareLinks(Pile& pile);
+/// Lists all neighbours in their slabs.
+void listBySlab(ContactSolver& solver);
 
-inline PileShare& shareOf(Pile& pile, const PairLink& link)
+inline SolverSlab& slabOf(ContactSolver& solver, const NeighbourPair& pair)
 {
-  const std::size_t a = pile.share_of[link.a], b = pile.share_of[link.b];
-  return a + 1 < b || b + 1 < a ? pile.lastShare() : pile.shares[std::min(a, b)];
+  const std::size_t a = solver.slab_of[pair.a], b = solver.slab_of[pair.b];
+  return a + 1 < b || b + 1 < a ? solver.lastSlab() : solver.slabs[std::min(a, b)];
 }
 
 /// Fewer balls are not shared among threads.
-constexpr std::size_t kPileWorthSharing = 500;
+constexpr std::size_t kBallsWorthThreads = 500;
 
 /// Calls action(slab) for `count` slabs: the first one, and each `stride` after it.
 template <typename Action>
-void eachSlab(WorldWithSolver& world, std::size_t first, std::size_t stride, const Action& action)
+void eachStridedSlab(WorldWithSolver& world, std::size_t first, std::size_t stride, const Action& action)
 {
-  Pile& pile = world.pile;
-  const std::size_t count = (pile.slabs + stride - 1 - first) / stride;
-  world.workers.each(count, pile.movers.size() < kPileWorthSharing ? count : 1,
+  ContactSolver& solver = world.solver;
+  const std::size_t count = (solver.slab_count + stride - 1 - first) / stride;
+  world.workers.each(count, solver.movers.size() < kBallsWorthThreads ? count : 1,
                      [&](std::size_t begin, std::size_t end, std::size_t)
                      {
-                       for (std::size_t k = begin; k < end; ++k) action(pile.shares[first + k * stride]);
+                       for (std::size_t k = begin; k < end; ++k) action(solver.slabs[first + k * stride]);
                      });
 }
 
-/// For work on balls, or that reads them and writes what belongs to the share: all slabs at once; the last share has no balls.
+/// For work on balls, or that reads them and writes what belongs to the slab: all slabs at once; the last one has no balls.
 template <typename Action>
-void eachShare(WorldWithSolver& world, const Action& action)
+void eachSlab(WorldWithSolver& world, const Action& action)
 {
-  eachSlab(world, 0, 1, action);
-  action(world.pile.lastShare());
+  eachStridedSlab(world, 0, 1, action);
+  action(world.solver.lastSlab());
 }
 
-/// For work on links that writes to both of their balls: every other slab at once, then those between, then the last share.
+/// For work on pairs that writes to both of their balls: every other slab at once, then those between, then the last one.
 template <typename Action>
-void inTurns(WorldWithSolver& world, const Action& action)
+void inRedBlackOrder(WorldWithSolver& world, const Action& action)
 {
-  eachSlab(world, 0, 2, action);
-  if (world.pile.slabs > 1) eachSlab(world, 1, 2, action);
-  action(world.pile.lastShare());
+  eachStridedSlab(world, 0, 2, action);
+  if (world.solver.slab_count > 1) eachStridedSlab(world, 1, 2, action);
+  action(world.solver.lastSlab());
 }
 }  // namespace ping_pong

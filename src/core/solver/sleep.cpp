@@ -6,73 +6,73 @@ namespace ping_pong
 namespace
 {
 constexpr float kStillFor = 0.25f;    // a ball that has not left its place for so long may fall asleep [s],
-constexpr double kStillSpeed = 5e-3;  // and neither moves nor spins at its rim faster than this [m/s]
-constexpr std::uint32_t kEvery = 16;  // steps
-constexpr double kNear = 1e-3;        // [m]
+constexpr double kStillSpeed = 5e-3;  // and neither moves nor turns at its surface faster than this [m/s]
+constexpr std::uint32_t kEvery = 16;  // steps: a search through all constraints, for balls that are still for hundreds
+constexpr double kNear = 1e-3;        // more than what heaps overlap by: no ball that lay on one is forgotten [m]
 
-bool still(const Pile& pile, std::size_t i)
+bool still(const ContactSolver& solver, std::size_t i)
 {
-  const Mover& mover = pile.movers[i];
-  return pile.still[i] > kStillFor && !mover.kept_awake && mover.v.squaredNorm() < kStillSpeed * kStillSpeed &&
-         pile.w[i].norm() * pile.radius(i) < kStillSpeed;
+  const Mover& mover = solver.movers[i];
+  return solver.still[i] > kStillFor && !mover.kept_awake && mover.v.squaredNorm() < kStillSpeed * kStillSpeed &&
+         solver.w[i].norm() * solver.radius(i) < kStillSpeed;
 }
 
 void sleep(WorldWithSolver& world, std::size_t i)
 {
-  Pile& pile = world.pile;
-  Mover& mover = pile.movers[i];
-  mover.asleep = mover.loaded = mover.calm = true;
+  ContactSolver& solver = world.solver;
+  Mover& mover = solver.movers[i];
+  mover.asleep = mover.carried = mover.too_slow_for_impacts = true;
   mover.v.setZero();
-  pile.w[i].setZero();
-  pile.changes[i] = Change();
-  pile.voidActive(i);
-  BallRecord& ball = world.balls[pile.ball[i]];
+  solver.w[i].setZero();
+  solver.changes[i] = Change();
+  solver.voidActive(i);
+  BallRecord& ball = world.balls[solver.ball[i]];
   ball.owner = BallOwner::SolverAsleep;
-  ball.supports.setSince(pile.start + pile.h - static_cast<double>(pile.still[i]));
-  storeBall(world, i, pile.start + pile.h);
+  ball.supports.setSince(solver.start + solver.h - static_cast<double>(solver.still[i]));
+  storeBall(world, i, solver.start + solver.h);
 }
 
 // A neighbour that is not still yet keeps a ball awake.
-void keepAwake(Pile& pile)
+void keepAwake(ContactSolver& solver)
 {
-  for (PileShare& share : pile.shares)
-    for (const std::uint32_t i : share.awake) pile.movers[i].kept_awake = false;
-  for (const PileShare& share : pile.shares)
-    for (const TouchBatch& batch : share.pair_batches)
+  for (SolverSlab& slab : solver.slabs)
+    for (const std::uint32_t i : slab.awake) solver.movers[i].kept_awake = false;
+  for (const SolverSlab& slab : solver.slabs)
+    for (const ConstraintBatch& batch : slab.pair_batches)
       for (std::size_t k = 0; k < kLanes; ++k)
       {
-        if (pile.movers[batch.a[k]].asleep || pile.movers[batch.b[k]].asleep) continue;
-        const bool a = pile.still[batch.a[k]] > kStillFor, b = pile.still[batch.b[k]] > kStillFor;
-        if (a != b) pile.movers[a ? batch.a[k] : batch.b[k]].kept_awake = true;
+        if (solver.movers[batch.a[k]].asleep || solver.movers[batch.b[k]].asleep) continue;
+        const bool a = solver.still[batch.a[k]] > kStillFor, b = solver.still[batch.b[k]] > kStillFor;
+        if (a != b) solver.movers[a ? batch.a[k] : batch.b[k]].kept_awake = true;
       }
 }
 }  // namespace
 
-void Pile::wake(std::size_t i)
+void ContactSolver::wake(std::size_t i)
 {
   Mover& mover = movers[i];
   if (!mover.asleep) return;
   mover.asleep = false;
-  mover.loaded = mover.was_loaded = true;
+  mover.carried = mover.was_carried = true;
   still[i] = 0.0f;
   voidActive(i);
 }
 
-void wakeNear(Pile& pile, const Vector3d& p_WB, double radius)
+void wakeNear(ContactSolver& solver, const Vector3d& p_WB, double radius)
 {
-  for (std::size_t i = 0; i < pile.movers.size(); ++i)
-    if ((pile.movers[i].p - p_WB).norm() < radius + pile.radius(i) + kNear) pile.wake(i);
+  for (std::size_t i = 0; i < solver.movers.size(); ++i)
+    if ((solver.movers[i].p - p_WB).norm() < radius + solver.radius(i) + kNear) solver.wake(i);
 }
 
-void settlePile(WorldWithSolver& world)
+void updateSleep(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  for (const PileShare& share : pile.shares)
-    for (const std::uint32_t i : share.waking) pile.wake(i);
-  if (++pile.steps % kEvery != 0) return;
-  keepAwake(pile);
-  for (const PileShare& share : pile.shares)
-    for (const std::uint32_t i : share.awake)
-      if (still(pile, i)) sleep(world, i);
+  ContactSolver& solver = world.solver;
+  for (const SolverSlab& slab : solver.slabs)
+    for (const std::uint32_t i : slab.waking) solver.wake(i);
+  if (++solver.steps % kEvery != 0) return;
+  keepAwake(solver);
+  for (const SolverSlab& slab : solver.slabs)
+    for (const std::uint32_t i : slab.awake)
+      if (still(solver, i)) sleep(world, i);
 }
 }  // namespace ping_pong

@@ -1,7 +1,7 @@
 // Balls that are stepped together with the contact solver of method `impulse`: what it keeps of them, as compact records.
 //
 // Everything is done in the order of these lists, which follows from the states alone: the same bits on every run, with any
-// number of threads. What they share is a pile cut into slabs, see slabs.h.
+// number of threads. These work on slabs of the solver, see slabs.h.
 #pragma once
 
 #include <array>
@@ -11,54 +11,31 @@
 #include "ping_pong_sim/forces.h"
 #include "ping_pong_sim/types.h"
 #include "solver/contact_batches.h"
+#include "solver/neighbours.h"
 #include "solver/solver_bodies.h"
 #include "state/world_state.h"
 
 namespace ping_pong
 {
-/// What balls of one make have in common.
-struct BallKind
+/// What balls of one type have in common.
+struct SolverBallType
 {
   BallParams params;
   FlightModel model;
   Vector3d a = Vector3d::Zero();  ///< acceleration in flight, if it is constant [m/s^2]
   double spin_per_impulse = 0.0;  ///< 1 / (k r): spin is this times impulse / mass [1/m]
   double inverse_mass = 0.0;      ///< [1/kg]
-  double give = 0.0;              ///< 1 + 1/k: slip of the touching point is this times impulse / mass
+  double slip_per_impulse = 0.0;  ///< 1 + 1/k: slip of the touching point is this times impulse / mass
 };
 
-/// Two balls that may touch soon. Each ball has a chain of its links: see anyLink().
-struct PairLink
-{
-  std::uint32_t a, b;            ///< slots; normals point from b to a
-  std::uint32_t next_a, next_b;  ///< of the chains of a and b: twice the index of a link, and 1 if the ball is its b
-};
-
-/// A ball and a shape that may touch soon.
-struct BodyLink
-{
-  std::uint32_t ball;
-  std::uint32_t next;  ///< link of this ball with a still body
-  std::uint16_t body, shape;
-  Lanes push{};  ///< in the last step: of friction, and along the normal, >= 0 [N s]
-};
-
-/// What is kept of a pair in touch while the links are built anew.
-struct KeptPair
-{
-  std::uint32_t a, b;
-  float held;  ///< see Pile
-  Lanes push;  ///< see Pile
-};
-
-struct BodyTouch
+struct BodyConstraint
 {
   Vector3d u;  ///< velocity of the touched point of the body [m/s]
-  std::uint32_t link;
-  std::uint32_t place;  ///< among the batches
-  std::uint32_t ball;   ///< slot
+  std::uint32_t neighbour;
+  ConstraintIndex index;  ///< among the batches
+  std::uint32_t ball;     ///< slot
   std::uint16_t material;
-  bool moving;  ///< link of a moving body
+  bool moving;  ///< the neighbour is a moving body
 };
 
 /// A ball that has no room, and the place where it was last whole.
@@ -69,38 +46,38 @@ struct SqueezedBall
 };
 
 /// An impact in this step, if nothing happens to its balls before.
-struct ImpactAhead
+struct PredictedImpact
 {
-  double time;  ///< from the start of the step [s]
-  std::uint32_t
-      link;  ///< 3 times the index of the link, plus 0: of two balls, 1: with a still body, 2: with a moving one
-  std::uint32_t made;  ///< on the counter of the pile
+  double time;                 ///< from the start of the step [s]
+  NeighbourRef neighbour;      ///< of impacts at the same time the least comes first
+  std::uint32_t predicted_at;  ///< on the counter of the solver
 };
+static_assert(sizeof(PredictedImpact) == 16, "a heap of them");
 
-/// A slab of the pile: its balls, the links of which it has the first ball, and what a step notes of them. Lists of links are
+/// A slab of the solver: its balls, their neighbours, and what a step notes of them. Lists of neighbours are
 /// in the order of their indices.
-struct PileShare
+struct SolverSlab
 {
   std::vector<std::uint32_t> balls, awake;                 ///< slots: all, and those awake
-  std::vector<std::uint32_t> pairs, bodies;                ///< links
+  std::vector<std::uint32_t> pairs, bodies;                ///< neighbours
   std::vector<std::uint32_t> active_pairs, active_bodies;  ///< those with an end that is awake
-  std::vector<BodyTouch> body_touches;
-  std::vector<TouchBatch> pair_batches, body_batches;
-  OpenBatches open_pairs, open_bodies;    ///< of these, while touches are listed
-  std::vector<FoundPair> found;           ///< of each place in pair_batches, then
-  std::vector<std::uint32_t> pair_links;  ///< of each place
-  std::vector<ImpactAhead> ahead;         ///< found by a look at all links
-  std::vector<std::uint32_t> leaving;     ///< slots of balls that leave the way that their links cover
-  std::vector<std::uint32_t> waking;      ///< slots to wake up at the end of the step
-  double fastest_squared = 0.0;           ///< speed of a ball before the contacts of this step [m^2/s^2]
-  std::uint32_t squeezed = 0;             ///< balls deep in a body at the start of this step
-  std::uint32_t changed = 0;              ///< when a sweep last changed something here, on the counter of the pile
-  bool active_void = false;               ///< somebody fell asleep or woke up
-  bool not_finite = false;                ///< in this step
+  std::vector<BodyConstraint> body_constraints;
+  std::vector<ConstraintBatch> pair_batches, body_batches;
+  OpenBatches open_pairs, open_bodies;  ///< of these, while constraints are listed
+  std::vector<FoundPair> found;         ///< of each lane in pair_batches, then
+  std::vector<std::uint32_t> pair_of;   ///< of each lane
+  std::vector<PredictedImpact> ahead;   ///< found by a search through all neighbours
+  std::vector<std::uint32_t> leaving;   ///< slots of balls that leave the way that their neighbours were searched along
+  std::vector<std::uint32_t> waking;    ///< slots to wake up at the end of the step
+  double fastest_squared = 0.0;         ///< speed of a ball before the contacts of this step [m^2/s^2]
+  std::uint32_t squeezed = 0;           ///< balls deep in a body at the start of this step
+  std::uint32_t changed = 0;            ///< when an iteration last changed something here, on the counter of the solver
+  bool active_void = false;             ///< somebody fell asleep or woke up
+  bool not_finite = false;              ///< in this step
 };
 
 /// Cells of a uniform grid with the balls in each, by the boxes that they may sweep.
-struct PileGrid
+struct NeighbourGrid
 {
   struct Entry
   {
@@ -121,36 +98,36 @@ struct PileGrid
   int cellAt(double x, int axis) const;
 };
 
-struct Pile : PileSlots
+struct ContactSolver : SolverBodies
 {
-  static constexpr std::uint32_t kEndOfChain = ~0u;
+  static constexpr std::uint32_t kEndOfList = ~0u;
   static constexpr std::size_t kMostSlabs = 16;
 
-  std::vector<BallKind> kinds;
-  std::vector<PairLink> pairs;
-  std::vector<Lanes> pushes;  ///< of each pair in the last step: of friction, and along the normal, >= 0 [N s]
+  std::vector<SolverBallType> ball_types;
+  std::vector<NeighbourPair> pairs;
+  std::vector<Lanes> impulses;  ///< of each pair in the last step: of friction, and along the normal, >= 0 [N s]
   std::vector<float>
-      held;  ///< of each pair: normal force when one of them fell asleep; < 0 if not one alone sleeps [N]
-  std::vector<BodyLink> bodies;                  ///< with still bodies
-  std::vector<BodyLink> moving;                  ///< with moving bodies, for this step
-  std::array<PileShare, kMostSlabs + 1> shares;  ///< slabs; the last one has the links that go farther
-  std::size_t slabs = 1;
-  std::vector<std::uint8_t> share_of;     ///< slab of each ball, since the links were built
-  std::vector<std::uint32_t> first_link;  ///< of each ball, the beginning of the chain of its links in `pairs`
+      force_at_sleep;  ///< of each pair: normal force when one of them fell asleep; < 0 if not one alone sleeps [N]
+  std::vector<BodyNeighbour> bodies;             ///< with still bodies
+  std::vector<BodyNeighbour> moving;             ///< with moving bodies, for this step
+  std::array<SolverSlab, kMostSlabs + 1> slabs;  ///< of these the last one is for pairs that reach farther
+  std::size_t slab_count = 1;
+  std::vector<std::uint8_t> slab_of;      ///< of each ball, since neighbours were searched
+  std::vector<PairEnd> first_pair;        ///< of each ball, the beginning of its list in `pairs`
   std::vector<std::uint32_t> first_body;  ///< the same in `bodies`
-  std::vector<ImpactAhead> ahead;         ///< heap, the next one on top
+  std::vector<PredictedImpact> ahead;     ///< heap, the next one on top
   std::vector<SqueezedBall> squeezed;     ///< found in this step, by index
   std::vector<KeptPair> old_kept;
-  std::vector<BodyLink> old_bodies;
+  std::vector<BodyNeighbour> old_bodies;
   std::vector<std::uint32_t> old_slot, new_slot;  ///< scratch
-  PileGrid grid;
-  std::array<std::vector<PairLink>, kMostSlabs> found;  ///< links of a part of the grid each
-  float margin = 0.0f;                                  ///< of the links [m]
-  std::uint32_t counter = 1;  ///< goes up with every impact and every sweep over touches; see restartCounter()
+  NeighbourGrid grid;
+  std::array<std::vector<NeighbourPair>, kMostSlabs> found;  ///< pairs of a part of the grid each
+  float margin = 0.0f;                                       ///< around ways that neighbours are searched along [m]
+  std::uint32_t counter = 1;  ///< goes up with every impact and every iteration over constraints; see restartCounter()
   std::uint32_t steps = 0;
   std::uint32_t step_mark = 0;  ///< the counter at the start of the step
-  unsigned body_versions = 0;   ///< sum, when the links were built
-  bool links_void = true;
+  unsigned body_versions = 0;   ///< sum, when neighbours were searched
+  bool neighbours_void = true;
   double h = 0.0;                 ///< length of the step [s]
   double start = 0.0, end = 0.0;  ///< of the step [s]
   double pressing =
@@ -159,36 +136,36 @@ struct Pile : PileSlots
 
   /// Slower is no impact but a contact [m/s]: after each impact in a step four times as much, or a jam would have no end.
   double leastImpact(int impacts) const { return least_impact * static_cast<double>(1 << (2 * impacts)); }
-  const Vector3d& flightAcceleration(std::size_t i) const { return a.empty() ? kinds[movers[i].kind].a : a[i]; }
+  const Vector3d& flightAcceleration(std::size_t i) const { return a.empty() ? ball_types[movers[i].type].a : a[i]; }
   /// On its path within the step, before contacts: what carries a ball also bears its weight.
   Vector3d pathAcceleration(std::size_t i) const
   {
-    return movers[i].loaded || movers[i].asleep ? Vector3d(Vector3d::Zero()) : flightAcceleration(i);
+    return movers[i].carried || movers[i].asleep ? Vector3d(Vector3d::Zero()) : flightAcceleration(i);
   }
   /// Distance of the centres of two balls that touch [m].
   double reach(std::size_t i, std::size_t k) const
   {
-    return kinds.size() == 1 ? 2.0 * kinds.front().params.radius : radius(i) + radius(k);
+    return ball_types.size() == 1 ? 2.0 * ball_types.front().params.radius : radius(i) + radius(k);
   }
-  double radius(std::size_t i) const { return kinds[movers[i].kind].params.radius; }
-  /// Action on the index of every link of a ball in `pairs`, the last one made first, until it returns true: then true.
+  double radius(std::size_t i) const { return ball_types[movers[i].type].params.radius; }
+  /// Action on the index of every pair of a ball in `pairs`, the last one made first, until it returns true: then true.
   template <typename Action>
-  bool anyLink(std::uint32_t ball, const Action& action) const
+  bool anyPair(std::uint32_t ball, const Action& action) const
   {
-    for (std::uint32_t end = first_link[ball]; end != kEndOfChain;)
+    for (PairEnd end = first_pair[ball]; !end.isEnd();)
     {
-      const PairLink& link = pairs[end / 2];
-      const std::uint32_t next = end % 2 == 0 ? link.next_a : link.next_b;
-      if (action(end / 2)) return true;
+      const NeighbourPair& pair = pairs[end.pair];
+      const PairEnd next = end.is_b ? pair.next_b : pair.next_a;
+      if (action(end.pair)) return true;
       end = next;
     }
     return false;
   }
-  const BallParams& params(std::size_t i) const { return kinds[movers[i].kind].params; }
+  const BallParams& params(std::size_t i) const { return ball_types[movers[i].type].params; }
 
-  PileShare& lastShare() { return shares.back(); }
+  SolverSlab& lastSlab() { return slabs.back(); }
   void wake(std::size_t i);
-  /// Ball i fell asleep or woke up: who is awake in the shares of its links is not known.
+  /// Ball i fell asleep or woke up: who is awake in the slabs of its neighbours is not known.
   void voidActive(std::size_t i);
   bool anyAwake() const;
 };
@@ -198,52 +175,52 @@ struct WorldWithSolver : WorldState
 {
   using WorldState::WorldState;
 
-  Pile pile;
+  ContactSolver solver;
 };
 
-/// As many as there are if it is not in the pile.
-std::uint32_t slotOf(const Pile& pile, std::uint32_t ball);
+/// As many as there are if it is not in the solver.
+std::uint32_t slotOf(const ContactSolver& solver, std::uint32_t ball);
 /// Takes a ball of the world in, at its state then.
-void addToPile(WorldWithSolver& world, std::uint32_t ball, double time);
+void addToSolver(WorldWithSolver& world, std::uint32_t ball, double time);
 /// Takes it out, and wakes up who lay on it.
-void dropFromPile(Pile& pile, std::uint32_t ball);
+void dropFromSolver(ContactSolver& solver, std::uint32_t ball);
 /// The same before the ball leaves WorldWithSolver::balls, where later ones move up.
-void removeFromPile(Pile& pile, std::uint32_t ball);
+void removeFromSolver(ContactSolver& solver, std::uint32_t ball);
 /// Takes over the states of all balls that it has, and wakes them up: bodies or balls have been put elsewhere.
-void disturbPile(WorldWithSolver& world);
-/// Takes over the state of a ball that is in the pile, and wakes it up.
-void restatePile(WorldWithSolver& world, std::uint32_t ball);
-void clearPile(Pile& pile);
+void disturbSolver(WorldWithSolver& world);
+/// Takes over the state of a ball that is in the solver, and wakes it up.
+void restateInSolver(WorldWithSolver& world, std::uint32_t ball);
+void clearSolver(ContactSolver& solver);
 /// Takes the memory for so many balls now, not while the world moves on.
-void reservePile(WorldWithSolver& world, std::size_t balls);
+void reserveSolver(WorldWithSolver& world, std::size_t balls);
 /// Turns the ball by what it has turned since it was last told: closed form, without trigonometry where that is little.
-void takeTurn(Pile& pile, std::size_t slot);
+void applyRotation(ContactSolver& solver, std::size_t slot);
 /// Puts the state of a ball into its record.
 void storeBall(WorldWithSolver& world, std::size_t slot, double time);
 /// Wakes up balls that touch a sphere, or nearly.
-void wakeNear(Pile& pile, const Vector3d& p_WB, double radius);
+void wakeNear(ContactSolver& solver, const Vector3d& p_WB, double radius);
 
 /// Steps of equal length from `start` to `end`; then writes the states of balls that have moved into the records of the
 /// world.
-void runPile(WorldWithSolver& world, double start, double end, double longest_step);
+void stepSolver(WorldWithSolver& world, double start, double end, double longest_step);
 
-/// Links are void: what is known of them is kept by their balls until there are new ones.
-void detachKept(Pile& pile);
+/// Neighbours are void: the impulses between them are kept by their balls until there are new ones.
+void saveImpulses(ContactSolver& solver);
 
 // --- parts of a step, in this order ---
 
-/// Which balls and shapes may touch in this step: links them anew if a ball may leave the way that the links cover.
-void updateLinks(WorldWithSolver& world);
-/// The same for two balls that an impact has thrown off their way; true if the links are new.
-bool updateLinksAfterImpact(WorldWithSolver& world, std::uint32_t a, std::uint32_t b);
+/// Which balls and shapes may touch in this step: searched anew if a ball may leave the way along which they were.
+void updateNeighbours(WorldWithSolver& world);
+/// The same for two balls that an impact has thrown off their way; true if all neighbours are new.
+bool updateNeighboursAfterImpact(WorldWithSolver& world, std::uint32_t a, std::uint32_t b);
 /// Lists of what is awake, where anybody fell asleep or woke up.
 void updateActive(WorldWithSolver& world);
 /// Impacts in the step: located on the paths, resolved one by one, the next one first.
 void resolveImpacts(WorldWithSolver& world);
 /// Contacts that carry load: impulses such that nothing is pressed into another, with friction.
 void solveContacts(WorldWithSolver& world);
-/// What they change of the balls of a share.
-void takeContacts(WorldWithSolver& world, const PileShare& share);
+/// What they change of the balls of a slab.
+void applyContacts(WorldWithSolver& world, const SolverSlab& slab);
 /// Balls that have not moved for a while and whom nobody disturbs fall asleep; whom somebody disturbs wakes up.
-void settlePile(WorldWithSolver& world);
+void updateSleep(WorldWithSolver& world);
 }  // namespace ping_pong

@@ -30,20 +30,20 @@ double sizeOf(const Body& body)
 }
 
 // The least radius of balls that a body may come near until `end`; infinite if there are none.
-double leastRadiusNear(const Pile& pile, const Vector3d& p_WB, double reach, double duration)
+double leastRadiusNear(const ContactSolver& solver, const Vector3d& p_WB, double reach, double duration)
 {
   double least = kNever;
-  for (std::size_t i = 0; i < pile.movers.size(); ++i)
+  for (std::size_t i = 0; i < solver.movers.size(); ++i)
   {
-    const double radius = pile.radius(i), near = reach + radius + duration * pile.movers[i].v.norm();
-    if ((pile.movers[i].p - p_WB).squaredNorm() < near * near) least = std::min(least, radius);
+    const double radius = solver.radius(i), near = reach + radius + duration * solver.movers[i].v.norm();
+    if ((solver.movers[i].p - p_WB).squaredNorm() < near * near) least = std::min(least, radius);
   }
   return least;
 }
 
-const BodyLink& linkOf(const Pile& pile, const BodyTouch& touch)
+const BodyNeighbour& neighbourOf(const ContactSolver& solver, const BodyConstraint& constraint)
 {
-  return touch.moving ? pile.moving[touch.link] : pile.bodies[touch.link];
+  return constraint.moving ? solver.moving[constraint.neighbour] : solver.bodies[constraint.neighbour];
 }
 
 // Twice a kinetic energy by the mass, that of the spin with it [m^2/s^2].
@@ -53,36 +53,37 @@ double energyOf(const BallParams& ball, const Vector3d& v, const Vector3d& w)
 }
 
 // What contacts have added to the energy of a ball beyond what a body that presses accounts for; negative if they have taken some.
-double excessOf(const Pile& pile, std::size_t i)
+double excessOf(const ContactSolver& solver, std::size_t i)
 {
-  const BallParams& ball = pile.params(i);
-  const Change& change = pile.changes[i];
-  const Vector3d &v = pile.movers[i].v, &w = pile.w[i];
+  const BallParams& ball = solver.params(i);
+  const Change& change = solver.changes[i];
+  const Vector3d &v = solver.movers[i].v, &w = solver.w[i];
   const Vector3d v_before = v - change.v.head<3>().cast<double>();
-  const Vector3d w_before = w - change.rim.head<3>().cast<double>() / ball.radius;
+  const Vector3d w_before = w - change.surface_velocity.head<3>().cast<double>() / ball.radius;
   const double now = energyOf(ball, v, w), before = energyOf(ball, v_before, w_before);
   if (now <= before) return now - before;
-  const double of_body = ((pile.pushed[i] & Pile::kTouched) != 0 ? kElastic : kFlees) * pile.pressing;
+  const double of_body = ((solver.carried_by[i] & ContactSolver::kByBall) != 0 ? kElastic : kFlees) * solver.pressing;
   return std::max(now - std::max(before, of_body * of_body), 0.0);
 }
 
-bool presses(const PileShare& share, const BodyTouch& touch)
+bool presses(const SolverSlab& slab, const BodyConstraint& constraint)
 {
-  return share.body_batches[touch.place / kLanes].normal[touch.place % kLanes] > 0.0f;
+  return slab.body_batches[constraint.index.batch()].normal[constraint.index.lane()] > 0.0f;
 }
 
 // Deeper than before and than the contacts of this step may leave it.
-bool hasNoRoom(const WorldWithSolver& world, const BodyTouch& touch)
+bool hasNoRoom(const WorldWithSolver& world, const BodyConstraint& constraint)
 {
-  const Pile& pile = world.pile;
-  const std::uint32_t i = touch.ball;
-  const BodyLink& link = linkOf(pile, touch);
-  const double radius = pile.radius(i);
-  const double overlap = radius - nearestOf(world, link, pile.movers[i].p, pile.h).distance;
+  const ContactSolver& solver = world.solver;
+  const std::uint32_t i = constraint.ball;
+  const BodyNeighbour& neighbour = neighbourOf(solver, constraint);
+  const double radius = solver.radius(i);
+  const double overlap = radius - nearestOf(world, neighbour, solver.movers[i].p, solver.h).distance;
   if (overlap <= kDeep) return false;
-  const bool others = (pile.pushed[i] & Pile::kTouched) != 0;
-  const double left = others ? kPartOfWay * pile.h * pile.pressing : 0.0;
-  return overlap > kDeep + left && overlap > radius - nearestOf(world, link, pile.places[i], 0.0).distance;
+  const bool others = (solver.carried_by[i] & ContactSolver::kByBall) != 0;
+  const double left = others ? kPartOfWay * solver.h * solver.pressing : 0.0;
+  return overlap > kDeep + left &&
+         overlap > radius - nearestOf(world, neighbour, solver.start_positions[i], 0.0).distance;
 }
 }  // namespace
 
@@ -90,7 +91,7 @@ double shortEnough(const WorldWithSolver& world, double start, double end, doubl
 {
   const double duration = end - start, most = std::min(longest, duration);
   double least = kNever, h = longest;
-  for (const BallKind& kind : world.pile.kinds) least = std::min(least, kind.params.radius);
+  for (const SolverBallType& type : world.solver.ball_types) least = std::min(least, type.params.radius);
   for (const BodyRecord& body : world.bodies)
   {
     if (!body.moving) continue;
@@ -98,31 +99,31 @@ double shortEnough(const WorldWithSolver& world, double start, double end, doubl
     const double size = sizeOf(body.body),
                  speed = frame.v_WB.norm() + frame.w_WB.norm() * size + duration * frame.a_WB.norm();
     if (speed * most <= kPartOfRadius * least) continue;
-    const double radius = leastRadiusNear(world.pile, frame.p_WB, size + duration * speed, duration);
+    const double radius = leastRadiusNear(world.solver, frame.p_WB, size + duration * speed, duration);
     if (radius < kNever) h = std::min(h, std::max(kPartOfRadius * radius / speed, most / kMostPieces));
   }
   return h;
 }
 
-void keepPlaces(Pile& pile)
+void keepStartPositions(ContactSolver& solver)
 {
-  for (std::size_t i = 0; i < pile.movers.size(); ++i) pile.places[i] = pile.movers[i].p;
+  for (std::size_t i = 0; i < solver.movers.size(); ++i) solver.start_positions[i] = solver.movers[i].p;
 }
 
-bool takesAlong(Pile& pile, const BodyLink& link, double t)
+bool takesAlong(ContactSolver& solver, const BodyNeighbour& neighbour, double t)
 {
-  Throw& last = pile.throws[link.ball];
-  const double now = pile.start + t;
-  const bool again = (last.other || last.body != link.body) && now - last.time < kOneContact;
-  last = {now, link.body, again};
+  BodyHit& last = solver.last_hits[neighbour.ball];
+  const double now = solver.start + t;
+  const bool again = (last.other || last.body != neighbour.body) && now - last.time < kOneContact;
+  last = {now, neighbour.body, again};
   return again;
 }
 
 void limitImpulse(const BallParams& ball, const BallState& before, double speed, BallState& after, Vector3d& impulse)
 {
-  const double rim = ball.inertia * ball.radius * ball.radius;  // energies are in (m/s)^2
-  const auto product = [rim](const Vector3d& v, const Vector3d& w, const Vector3d& v2, const Vector3d& w2)
-  { return v.dot(v2) + rim * w.dot(w2); };
+  const double gyration = ball.inertia * ball.radius * ball.radius;  // energies are in (m/s)^2
+  const auto product = [gyration](const Vector3d& v, const Vector3d& w, const Vector3d& v2, const Vector3d& w2)
+  { return v.dot(v2) + gyration * w.dot(w2); };
   const double had = product(before.v_WB, before.w_WB, before.v_WB, before.w_WB);
   const double room = std::max(speed * speed - had, 0.0);
   const Vector3d dv = after.v_WB - before.v_WB, dw = after.w_WB - before.w_WB;
@@ -135,35 +136,36 @@ void limitImpulse(const BallParams& ball, const BallState& before, double speed,
   impulse *= part;
 }
 
-void noteOther(Pile& pile, std::uint32_t ball)
+void noteOther(ContactSolver& solver, std::uint32_t ball)
 {
-  pile.throws[ball].other = true;
+  solver.last_hits[ball].other = true;
 }
 
-void findPressing(Pile& pile)
+void findPressing(ContactSolver& solver)
 {
-  pile.pressing = 0.0;
-  if (pile.moving.empty()) return;
-  for (const PileShare& share : pile.shares)
-    for (const BodyTouch& touch : share.body_touches)
-      if (touch.moving && presses(share, touch)) pile.pressing = std::max(pile.pressing, touch.u.norm());
+  solver.pressing = 0.0;
+  if (solver.moving.empty()) return;
+  for (const SolverSlab& slab : solver.slabs)
+    for (const BodyConstraint& constraint : slab.body_constraints)
+      if (constraint.moving && presses(slab, constraint))
+        solver.pressing = std::max(solver.pressing, constraint.u.norm());
 }
 
-void limitEnergies(Pile& pile)
+void limitEnergies(ContactSolver& solver)
 {
   double lost = 0.0, gained = 0.0;
-  for (std::size_t i = 0; i < pile.movers.size(); ++i)
+  for (std::size_t i = 0; i < solver.movers.size(); ++i)
   {
-    const double excess = pile.params(i).mass * excessOf(pile, i);
+    const double excess = solver.params(i).mass * excessOf(solver, i);
     (excess > 0.0 ? gained : lost) += std::abs(excess);
   }
   if (gained <= lost) return;
-  for (std::size_t i = 0; i < pile.movers.size(); ++i)
+  for (std::size_t i = 0; i < solver.movers.size(); ++i)
   {
-    const double excess = excessOf(pile, i);
+    const double excess = excessOf(solver, i);
     if (excess <= 0.0) continue;
-    Vector3d &v = pile.movers[i].v, &w = pile.w[i];
-    const double part = std::sqrt(1.0 - (1.0 - lost / gained) * excess / energyOf(pile.params(i), v, w));
+    Vector3d &v = solver.movers[i].v, &w = solver.w[i];
+    const double part = std::sqrt(1.0 - (1.0 - lost / gained) * excess / energyOf(solver.params(i), v, w));
     v *= part;
     w *= part;
   }
@@ -171,30 +173,31 @@ void limitEnergies(Pile& pile)
 
 void findSqueezed(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  for (const PileShare& share : pile.shares)
-    for (const BodyTouch& touch : share.body_touches)
-      if (hasNoRoom(world, touch)) pile.squeezed.push_back({pile.ball[touch.ball], pile.places[touch.ball]});
+  ContactSolver& solver = world.solver;
+  for (const SolverSlab& slab : solver.slabs)
+    for (const BodyConstraint& constraint : slab.body_constraints)
+      if (hasNoRoom(world, constraint))
+        solver.squeezed.push_back({solver.ball[constraint.ball], solver.start_positions[constraint.ball]});
   const auto before = [](const SqueezedBall& a, const SqueezedBall& b) { return a.ball < b.ball; };
   const auto same = [](const SqueezedBall& a, const SqueezedBall& b) { return a.ball == b.ball; };
-  std::sort(pile.squeezed.begin(), pile.squeezed.end(), before);
-  pile.squeezed.erase(std::unique(pile.squeezed.begin(), pile.squeezed.end(), same), pile.squeezed.end());
+  std::sort(solver.squeezed.begin(), solver.squeezed.end(), before);
+  solver.squeezed.erase(std::unique(solver.squeezed.begin(), solver.squeezed.end(), same), solver.squeezed.end());
 }
 
 void takeOutSqueezed(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  for (const SqueezedBall& ball : pile.squeezed)
+  ContactSolver& solver = world.solver;
+  for (const SqueezedBall& ball : solver.squeezed)
   {
     BallRecord& record = world.balls[ball.ball];
-    storeBall(world, slotOf(pile, ball.ball), pile.end);
-    dropFromPile(pile, ball.ball);
-    BallState state = record.stateAt(pile.end);
+    storeBall(world, slotOf(solver, ball.ball), solver.end);
+    dropFromSolver(solver, ball.ball);
+    BallState state = record.stateAt(solver.end);
     state.p_WB = ball.p_WB;
     state.w_WB.setZero();
     pushOutOfStill(world, state.p_WB, record.params().radius);
-    squeeze(world, record, state, pile.end);
+    squeeze(world, record, state, solver.end);
   }
-  pile.squeezed.clear();
+  solver.squeezed.clear();
 }
 }  // namespace ping_pong

@@ -12,7 +12,7 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kFastest = 1e8;        // [m/s]
+constexpr double kFastest = 1e8;        // squares of it, and their sums, are far from overflow [m/s]
 constexpr double kNoImpact = 1e-9;      // slower is no impact: without any force [m/s],
 constexpr double kImpactInSteps = 2.0;  // and else what gravity adds in so many steps
 constexpr std::uint32_t kLastCount =
@@ -20,15 +20,15 @@ constexpr std::uint32_t kLastCount =
 
 void accelerate(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  if (pile.a.empty()) return;
-  for (std::size_t i = 0; i < pile.movers.size(); ++i)
+  ContactSolver& solver = world.solver;
+  if (solver.a.empty()) return;
+  for (std::size_t i = 0; i < solver.movers.size(); ++i)
   {
-    const Mover& mover = pile.movers[i];
+    const Mover& mover = solver.movers[i];
     if (mover.asleep) continue;
-    pile.a[i] = pile.kinds[mover.kind].model.acceleration(mover.v, pile.w[i]);
-    if ((mover.v + pile.h * pile.a[i]).norm() < kFastest) continue;
-    pile.a[i].setZero();  // the step is too long for the drag: the ball goes straight on
+    solver.a[i] = solver.ball_types[mover.type].model.acceleration(mover.v, solver.w[i]);
+    if ((mover.v + solver.h * solver.a[i]).norm() < kFastest) continue;
+    solver.a[i].setZero();  // the step is too long for the drag: the ball goes straight on
     world.status.not_finite = true;
   }
 }
@@ -40,174 +40,176 @@ double reachOf(const Body& body)
   return reach;
 }
 
-// Bodies that move are linked with all balls nearby, in every step.
-void linkMovingBodies(WorldWithSolver& world)
+// Bodies that move are neighbours of all balls nearby, in every step.
+void findMovingNeighbours(WorldWithSolver& world)
 {
-  Pile& pile = world.pile;
-  pile.moving.clear();
+  ContactSolver& solver = world.solver;
+  solver.moving.clear();
   for (std::size_t b = 0; b < world.bodies.size(); ++b)
   {
     const BodyRecord& body = world.bodies[b];
     if (!body.moving) continue;
-    const BodyFrame frame = frameAt(body.motion, pile.start - body.motion.start);
+    const BodyFrame frame = frameAt(body.motion, solver.start - body.motion.start);
     const double size = reachOf(body.body);
-    const double way = pile.h * (frame.v_WB.norm() + frame.w_WB.norm() * size + 0.5 * pile.h * frame.a_WB.norm());
-    for (std::uint32_t i = 0; i < pile.movers.size(); ++i)
+    const double way = solver.h * (frame.v_WB.norm() + frame.w_WB.norm() * size + 0.5 * solver.h * frame.a_WB.norm());
+    for (std::uint32_t i = 0; i < solver.movers.size(); ++i)
     {
-      const double near = size + pile.radius(i) + way + pile.h * pile.movers[i].v.norm() + pile.margin;
-      if ((pile.movers[i].p - frame.p_WB).squaredNorm() > near * near) continue;
+      const double near = size + solver.radius(i) + way + solver.h * solver.movers[i].v.norm() + solver.margin;
+      if ((solver.movers[i].p - frame.p_WB).squaredNorm() > near * near) continue;
       for (std::size_t s = 0; s < body.body.shapes.size(); ++s)
-        pile.moving.push_back({i, Pile::kEndOfChain, static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s)});
+        solver.moving.push_back(
+            {i, ContactSolver::kEndOfList, static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(s)});
     }
   }
 }
 
-void turn(Pile& pile, std::size_t i)
+void rotate(ContactSolver& solver, std::size_t i)
 {
-  Mover& mover = pile.movers[i];
-  Vector3d& w = pile.w[i];
-  const double left = pile.h - mover.clock;
+  Mover& mover = solver.movers[i];
+  Vector3d& w = solver.w[i];
+  const double left = solver.h - mover.clock;
   mover.clock = 0.0;
   mover.impacts = 0;
   if (w.isZero(0.0)) return;
-  const double decay = pile.kinds[mover.kind].model.spinDecay();
-  pile.turn[i] += decay > 0.0 ? turnIn(w, decay, left) : Vector3d(left * w);
-  if (decay > 0.0) w *= std::exp(-decay * pile.h);
+  const double decay = solver.ball_types[mover.type].model.spinDecay();
+  solver.pending_rotation[i] += decay > 0.0 ? turnIn(w, decay, left) : Vector3d(left * w);
+  if (decay > 0.0) w *= std::exp(-decay * solver.h);
 }
 
 // The rest of the forces acts where nothing carries the ball: velocity Verlet in free flight.
-void endStep(Pile& pile, PileShare& share)
+void endStep(ContactSolver& solver, SolverSlab& slab)
 {
-  for (const std::uint32_t i : share.awake)
+  for (const std::uint32_t i : slab.awake)
   {
-    Mover& mover = pile.movers[i];
-    const Vector3d p = pile.movers[i].p + pile.h * mover.v;
+    Mover& mover = solver.movers[i];
+    const Vector3d p = solver.movers[i].p + solver.h * mover.v;
     Vector3d v = mover.v;
-    mover.loaded = (pile.pushed[i] & Pile::kCarried) != 0;
-    mover.half_owed = !mover.was_loaded && mover.loaded;
-    if (!mover.was_loaded && !mover.loaded)
+    mover.carried = (solver.carried_by[i] & ContactSolver::kCarried) != 0;
+    mover.half_kick_due = !mover.was_carried && mover.carried;
+    if (!mover.was_carried && !mover.carried)
     {
-      const Vector3d predicted = v + (0.5 * pile.h) * pile.flightAcceleration(i);
-      v += (0.5 * pile.h) * (pile.a.empty() ? pile.flightAcceleration(i)
-                                            : pile.kinds[mover.kind].model.acceleration(predicted, pile.w[i]));
+      const Vector3d predicted = v + (0.5 * solver.h) * solver.flightAcceleration(i);
+      v += (0.5 * solver.h) * (solver.a.empty()
+                                   ? solver.flightAcceleration(i)
+                                   : solver.ball_types[mover.type].model.acceleration(predicted, solver.w[i]));
     }
     if (!(v.squaredNorm() < kFastest * kFastest) || !p.allFinite())  // the ball keeps its last finite state
     {
-      share.not_finite = true;
+      slab.not_finite = true;
       mover.clock = 0.0;
       mover.impacts = 0;
       continue;
     }
-    pile.movers[i].p = p;
+    solver.movers[i].p = p;
     mover.v = v;
-    mover.calm = mover.loaded && v.squaredNorm() < 0.25 * pile.least_impact * pile.least_impact;
-    turn(pile, i);
-    if (pile.pushed[i] & Pile::kTouched) pile.untouched[i] = 0.0f;
-    pile.untouched[i] += static_cast<float>(pile.h);
-    const Eigen::Vector3f way = (p - pile.home[i]).cast<float>();
-    const bool there = (way - pile.anchor[i]).squaredNorm() < kPlace * kPlace;
-    pile.still[i] = there ? pile.still[i] + static_cast<float>(pile.h) : 0.0f;
-    if (!there) pile.anchor[i] = way;
+    mover.too_slow_for_impacts = mover.carried && v.squaredNorm() < 0.25 * solver.least_impact * solver.least_impact;
+    rotate(solver, i);
+    if (solver.carried_by[i] & ContactSolver::kByBall) solver.since_contact[i] = 0.0f;
+    solver.since_contact[i] += static_cast<float>(solver.h);
+    const Eigen::Vector3f way = (p - solver.home[i]).cast<float>();
+    const bool there = (way - solver.anchor[i]).squaredNorm() < kRestRadius * kRestRadius;
+    solver.still[i] = there ? solver.still[i] + static_cast<float>(solver.h) : 0.0f;
+    if (!there) solver.anchor[i] = way;
   }
 }
 
 // Impulses of the last step are a guide for one of another length in its proportion.
-void setLength(Pile& pile, double h)
+void setLength(ContactSolver& solver, double h)
 {
-  if (pile.h == h) return;
-  const float ratio = pile.h > 0.0 ? static_cast<float>(h / pile.h) : 0.0f;
-  for (Lanes& push : pile.pushes) push *= ratio;
-  for (BodyLink& link : pile.bodies) link.push *= ratio;
-  pile.h = h;
+  if (solver.h == h) return;
+  const float ratio = solver.h > 0.0 ? static_cast<float>(h / solver.h) : 0.0f;
+  for (Lanes& impulse : solver.impulses) impulse *= ratio;
+  for (BodyNeighbour& neighbour : solver.bodies) neighbour.impulse *= ratio;
+  solver.h = h;
 }
 
 // What was noted on the counter is long ago. Between steps nobody asks for more.
-void restartCounter(Pile& pile)
+void restartCounter(ContactSolver& solver)
 {
-  pile.counter = 1;
-  for (Mover& mover : pile.movers) mover.stamp = 0;
-  std::fill(pile.swept.begin(), pile.swept.end(), 0u);
-  for (PileShare& share : pile.shares) share.changed = 0;
+  solver.counter = 1;
+  for (Mover& mover : solver.movers) mover.last_impact = 0;
+  std::fill(solver.last_iteration.begin(), solver.last_iteration.end(), 0u);
+  for (SolverSlab& slab : solver.slabs) slab.changed = 0;
 }
 
 void step(WorldWithSolver& world, double start, double end, double h)
 {
-  Pile& pile = world.pile;
-  if (pile.counter > kLastCount) restartCounter(pile);
-  setLength(pile, h);
-  pile.start = start;
-  pile.end = end;
-  for (PileShare& share : pile.shares) share.squeezed = 0;
-  pile.least_impact = std::max(kNoImpact, kImpactInSteps * world.scene.forces.gravity.norm() * h);
-  pile.step_mark = pile.counter + 1;
+  ContactSolver& solver = world.solver;
+  if (solver.counter > kLastCount) restartCounter(solver);
+  setLength(solver, h);
+  solver.start = start;
+  solver.end = end;
+  for (SolverSlab& slab : solver.slabs) slab.squeezed = 0;
+  solver.least_impact = std::max(kNoImpact, kImpactInSteps * world.scene.forces.gravity.norm() * h);
+  solver.step_mark = solver.counter + 1;
   accelerate(world);
-  linkMovingBodies(world);
-  updateLinks(world);
-  if (!pile.anyAwake() && pile.moving.empty()) return;
-  if (!pile.moving.empty()) keepPlaces(pile);
+  findMovingNeighbours(world);
+  updateNeighbours(world);
+  if (!solver.anyAwake() && solver.moving.empty()) return;
+  if (!solver.moving.empty()) keepStartPositions(solver);
   resolveImpacts(world);
   solveContacts(world);
-  findPressing(pile);
-  eachShare(world, [&](PileShare& share) { takeContacts(world, share); });
-  if (pile.pressing > 0.0) limitEnergies(pile);
-  eachShare(world, [&](PileShare& share) { endStep(pile, share); });
-  if (pile.pressing > 0.0) findSqueezed(world);
-  settlePile(world);
+  findPressing(solver);
+  eachSlab(world, [&](SolverSlab& slab) { applyContacts(world, slab); });
+  if (solver.pressing > 0.0) limitEnergies(solver);
+  eachSlab(world, [&](SolverSlab& slab) { endStep(solver, slab); });
+  if (solver.pressing > 0.0) findSqueezed(world);
+  updateSleep(world);
 }
 }  // namespace
 
-void takeTurn(Pile& pile, std::size_t slot)
+void applyRotation(ContactSolver& solver, std::size_t slot)
 {
-  const Vector3d turn = pile.turn[slot];
-  if (turn.isZero(0.0)) return;
-  Quaterniond& q = pile.q[slot];
-  pile.turn[slot].setZero();
-  const double x = 0.25 * turn.squaredNorm();  // of half the angle, squared
+  const Vector3d rotation = solver.pending_rotation[slot];
+  if (rotation.isZero(0.0)) return;
+  Quaterniond& q = solver.q[slot];
+  solver.pending_rotation[slot].setZero();
+  const double x = 0.25 * rotation.squaredNorm();  // of half the angle, squared
   if (x > 1e-2)
   {
-    q = turned(q, turn, 1.0);
+    q = turned(q, rotation, 1.0);
     return;
   }
   count(Law::Orientation);
   // Taylor series: the next terms are below 1e-17.
   const double sine = 1.0 + x * (-1.0 / 6 + x * (1.0 / 120 + x * (-1.0 / 5040 + x * (1.0 / 362880 - x / 39916800))));
   const double cosine = 1.0 + x * (-1.0 / 2 + x * (1.0 / 24 + x * (-1.0 / 720 + x * (1.0 / 40320 - x / 3628800))));
-  const Vector3d axis = (0.5 * sine) * turn;
+  const Vector3d axis = (0.5 * sine) * rotation;
   q = Quaterniond(cosine, axis.x(), axis.y(), axis.z()) * q;
   q.coeffs() *= 1.5 - 0.5 * q.squaredNorm();  // back to length 1
 }
 
-void runPile(WorldWithSolver& world, double start, double end, double longest_step)
+void stepSolver(WorldWithSolver& world, double start, double end, double longest_step)
 {
-  Pile& pile = world.pile;
-  if (pile.ball.empty()) return;
+  ContactSolver& solver = world.solver;
+  if (solver.ball.empty()) return;
   const double duration = end - start;
   const long steps =
       std::max(1L, std::lround(std::ceil(duration / shortEnough(world, start, end, longest_step) - 1e-9)));
   const double h = duration / static_cast<double>(steps);
   const auto startOf = [&](long i) { return i == steps ? end : start + h * static_cast<double>(i); };
-  for (long i = 0; i < steps && !pile.ball.empty(); ++i)
+  for (long i = 0; i < steps && !solver.ball.empty(); ++i)
   {
     step(world, startOf(i), startOf(i + 1), h);
     if (i + 1 < steps) takeOutSqueezed(world);
   }
-  if (pile.ball.empty()) return;
+  if (solver.ball.empty()) return;
   updateActive(world);
-  eachShare(world,
-            [&](PileShare& share)
-            {
-              for (const std::uint32_t i : share.awake)
-              {
-                storeBall(world, i, end);
-                world.balls[pile.ball[i]].wake();
-              }
-            });
+  eachSlab(world,
+           [&](SolverSlab& slab)
+           {
+             for (const std::uint32_t i : slab.awake)
+             {
+               storeBall(world, i, end);
+               world.balls[solver.ball[i]].wake();
+             }
+           });
   takeOutSqueezed(world);  // last: slots of others change
-  for (PileShare& share : pile.shares)
+  for (SolverSlab& slab : solver.slabs)
   {
-    world.status.squeezed += share.squeezed;
-    world.status.not_finite |= share.not_finite;
-    share.not_finite = false;
+    world.status.squeezed += slab.squeezed;
+    world.status.not_finite |= slab.not_finite;
+    slab.not_finite = false;
   }
 }
 }  // namespace ping_pong

@@ -11,40 +11,40 @@ namespace ping_pong
 {
 namespace
 {
-constexpr int kMostMarchSteps = 20;  // of a search for the time of an impact
-constexpr int kMostSeams = 4;        // of a moving body that a ball passes in a step
+constexpr int kMostAdvances = 20;  // of a search, which converges quadratically: more only where a ball grazes an edge
+constexpr int kMostSeams = 4;      // of a moving body that a ball passes in a step
 
 // A ball on a face comes to the edge of the next shape in the same plane: no impact. When it will be past the edge, or kNever.
 // @param v  its velocity relative to the body
-double passesSeam(const WorldWithSolver& world, const BodyLink& link, const Proximity& near, const Vector3d& p,
-                  const Vector3d& v, double t)
+double crossesSeam(const WorldWithSolver& world, const BodyNeighbour& neighbour, const Proximity& near,
+                   const Vector3d& p, const Vector3d& v, double t)
 {
   if (near.flat()) return t;
-  const Seam seam = seamWith(world, link, near, p, t);
+  const Seam seam = seamWith(world, neighbour, near, p, t);
   if (!seam.there) return t;
   const Vector3d way = seam.surface.distance * seam.surface.normal - near.distance * near.normal;
   const double along = way.dot(v);
   return along > 0.0 ? t + way.squaredNorm() / along : kNever;
 }
 
-// Marches as firstContact() does, see first_contact.h: the gap stays above its tangent parabola. On a straight line its rate only grows.
-double stillImpact(const WorldWithSolver& world, const BodyLink& link)
+// Advances as firstContact() does: the gap stays above its tangent parabola. On a straight line its rate only grows.
+double stillImpact(const WorldWithSolver& world, const BodyNeighbour& neighbour)
 {
-  const Pile& pile = world.pile;
-  const std::uint32_t i = link.ball;
-  const Vector3d a = pile.pathAcceleration(i);
-  const double most = a.norm(), least = pile.leastImpact(pile.movers[i].impacts);
-  double t = pile.movers[i].clock;
-  for (int step = 0; step < kMostMarchSteps; ++step)
+  const ContactSolver& solver = world.solver;
+  const std::uint32_t i = neighbour.ball;
+  const Vector3d a = solver.pathAcceleration(i);
+  const double most = a.norm(), least = solver.leastImpact(solver.movers[i].impacts);
+  double t = solver.movers[i].clock;
+  for (int step = 0; step < kMostAdvances; ++step)
   {
-    const Vector3d p = placeAt(pile, i, t), v = velocityAt(pile, i, t);
-    const Proximity near = nearestOf(world, link, p, t);
-    const double gap = near.distance - pile.radius(i), rate = near.normal.dot(v);
-    if (rate >= most * (pile.h - t) - least) return kNever;  // nor is it faster later in this step
-    if (gap <= touchTolerance(p, pile.radius(i)))
+    const Vector3d p = placeAt(solver, i, t), v = velocityAt(solver, i, t);
+    const Proximity near = nearestOf(world, neighbour, p, t);
+    const double gap = near.distance - solver.radius(i), rate = near.normal.dot(v);
+    if (rate >= most * (solver.h - t) - least) return kNever;  // nor is it faster later in this step
+    if (gap <= touchTolerance(p, solver.radius(i)))
     {
       if (rate >= -least) return kNever;
-      const double past = passesSeam(world, link, near, p, v, t);
+      const double past = crossesSeam(world, neighbour, near, p, v, t);
       if (past == t) return t;
       t = past;
     }
@@ -57,46 +57,46 @@ double stillImpact(const WorldWithSolver& world, const BodyLink& link)
       if (closing <= 0.0) return kNever;
       t += 2.0 * gap / closing;
     }
-    if (t > pile.h) return kNever;
+    if (t > solver.h) return kNever;
   }
   return t;
 }
 
-double movingImpact(const WorldWithSolver& world, const BodyLink& link)
+double movingImpact(const WorldWithSolver& world, const BodyNeighbour& neighbour)
 {
-  const Pile& pile = world.pile;
-  const std::uint32_t i = link.ball;
-  const BodyRecord& body = world.bodies[link.body];
-  const Shape& shape = body.body.shapes[link.shape];
-  const Segment path = flyParabola(stateAt(pile, i, 0.0), pile.start, pile.pathAcceleration(i));
-  double from = pile.movers[i].clock;
-  for (int seam = 0; seam < kMostSeams && from <= pile.h; ++seam)
+  const ContactSolver& solver = world.solver;
+  const std::uint32_t i = neighbour.ball;
+  const BodyRecord& body = world.bodies[neighbour.body];
+  const Shape& shape = body.body.shapes[neighbour.shape];
+  const Segment path = flyParabola(stateAt(solver, i, 0.0), solver.start, solver.pathAcceleration(i));
+  double from = solver.movers[i].clock;
+  for (int seam = 0; seam < kMostSeams && from <= solver.h; ++seam)
   {
     const Detection found =
-        firstContact(path, pile.radius(i), shape, body.motion, pile.start + from, pile.start + pile.h);
+        firstContact(path, solver.radius(i), shape, body.motion, solver.start + from, solver.start + solver.h);
     if (!found.found()) return kNever;
-    const double t = found.time - pile.start;
+    const double t = found.time - solver.start;
     const BodyFrame frame = frameAt(body.motion, found.time - body.motion.start);
-    const Vector3d p = placeAt(pile, i, t), v = velocityAt(pile, i, t);
-    const Gap gap = gapTo(shape, frame, p, v, pile.radius(i));
-    if (gap.rate >= -pile.leastImpact(pile.movers[i].impacts)) return kNever;
-    from = passesSeam(world, link, nearestOf(world, link, p, t), p, v - frame.pointVelocity(p), t);
+    const Vector3d p = placeAt(solver, i, t), v = velocityAt(solver, i, t);
+    const Gap gap = gapTo(shape, frame, p, v, solver.radius(i));
+    if (gap.rate >= -solver.leastImpact(solver.movers[i].impacts)) return kNever;
+    from = crossesSeam(world, neighbour, nearestOf(world, neighbour, p, t), p, v - frame.pointVelocity(p), t);
     if (from == t) return t;
   }
   return kNever;
 }
 }  // namespace
 
-double pairImpact(const Pile& pile, const PairLink& link)
+double pairImpact(const ContactSolver& solver, const NeighbourPair& pair)
 {
-  const Mover &a = pile.movers[link.a], &b = pile.movers[link.b];
+  const Mover &a = solver.movers[pair.a], &b = solver.movers[pair.b];
   const double from = std::max(a.clock, b.clock);
-  const double left = pile.h - from;
-  Vector3d d = pile.movers[link.a].p - pile.movers[link.b].p;
+  const double left = solver.h - from;
+  Vector3d d = solver.movers[pair.a].p - solver.movers[pair.b].p;
   Vector3d u = a.v - b.v;
-  if (!pile.a.empty() || a.kind != b.kind || a.loaded != b.loaded)
+  if (!solver.a.empty() || a.type != b.type || a.carried != b.carried)
   {
-    const Vector3d pull = pile.pathAcceleration(link.a) - pile.pathAcceleration(link.b);
+    const Vector3d pull = solver.pathAcceleration(pair.a) - solver.pathAcceleration(pair.b);
     d += (0.5 * from * from) * pull;
     u += (from + 0.5 * left) * pull;
     d += from * (u - (from + 0.5 * left) * pull);
@@ -105,23 +105,23 @@ double pairImpact(const Pile& pile, const PairLink& link)
     d += from * u;
   const double du = d.dot(u);
   if (du >= 0.0) return kNever;
-  const double reach = pile.reach(link.a, link.b);
+  const double reach = solver.reach(pair.a, pair.b);
   const double c = d.squaredNorm() - reach * reach;
   if (c + 2.0 * du * left > 0.0) return kNever;
-  const double slowest = pile.leastImpact(std::max(a.impacts, b.impacts));
+  const double slowest = solver.leastImpact(std::max(a.impacts, b.impacts));
   const double least = slowest * slowest * reach * reach;
   if (c <= 0.0) return du * du > least ? from : kNever;
   const double discriminant = du * du - u.squaredNorm() * c;
   if (discriminant < least) return kNever;
   const double t = from + c / (std::sqrt(discriminant) - du);
-  return t <= pile.h ? t : kNever;
+  return t <= solver.h ? t : kNever;
 }
 
-double bodyImpact(const WorldWithSolver& world, const BodyLink& link)
+double bodyImpact(const WorldWithSolver& world, const BodyNeighbour& neighbour)
 {
-  const BodyRecord& body = world.bodies[link.body];
-  count(meeting(body.shapes()[link.shape].kind));
+  const BodyRecord& body = world.bodies[neighbour.body];
+  count(meetingLaw(body.shapes()[neighbour.shape].kind));
   if (body.moving) count(Law::MeetMoving);
-  return body.moving ? movingImpact(world, link) : stillImpact(world, link);
+  return body.moving ? movingImpact(world, neighbour) : stillImpact(world, neighbour);
 }
 }  // namespace ping_pong

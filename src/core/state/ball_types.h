@@ -1,4 +1,4 @@
-// What balls of one make have in common, once for all of them.
+// What balls of one type have in common, once for all of them.
 #pragma once
 
 #include <functional>

@@ -1,49 +1,62 @@
-// The list of contacts of a tick.
+// The list of contacts of a tick: the one way in which all methods fill it.
 #pragma once
 
 #include "state/world_state.h"
 
 namespace ping_pong
 {
-/// Counts a contact: a new record at the end of the list, to be filled in place, or nullptr if none are kept.
-inline Contact* newContact(Records& records, std::size_t i)
+/// What a ball has hit: a shape of a body, or another ball.
+struct HitObject
 {
-  records.origins.push_back({static_cast<std::uint32_t>(i), records.run});
-  ++records.status.contacts;
-  return records.keep_contacts ? &records.contacts.emplace_back() : nullptr;
-}
+  std::size_t body = kNone, shape = kNone;
+  bool is_ball = false;
+  BallId ball = 0;
 
-/// What an impact changes of a ball.
+  static HitObject shapeOf(std::size_t body, std::size_t shape) { return {body, shape}; }
+  static HitObject ballOf(BallId id) { return {kNone, kNone, true, id}; }
+};
+
+/// One impact of a ball.
 struct Impact
 {
-  const Vector3d& p_WB;
+  double time;           ///< [s]
+  const Vector3d& n_W;   ///< unit normal of what was hit, towards the ball
+  const Vector3d& u;     ///< velocity of the touched point of it, before [m/s]
+  const Vector3d& p_WB;  ///< [m]
   const Vector3d& v_before;
   const Vector3d& v_after;
   const Vector3d& w_before;
   const Vector3d& w_after;
+  const Vector3d& impulse;  ///< on the ball [N s]
 };
 
-/// A ball, the i-th of the world, has hit a body.
-/// @param n_W  normal of the surface, towards the ball
-/// @param u  velocity of the touched point of the body
-/// @return  the record, or nullptr if none are kept
-inline Contact* recordBodyContact(Records& records, const BallRecord& ball, std::size_t i, const Event& event,
-                                  const Impact& impact, const Vector3d& n_W, const Vector3d& u, double t)
+/// Counts a contact of a ball, the i-th of the world, and adds it to the list, if one is kept.
+[[gnu::always_inline]] inline void recordContact(Records& records, const BallRecord& ball, std::size_t i,
+                                                 const HitObject& other, const Impact& impact)
 {
-  Contact* contact = newContact(records, i);
-  if (!contact) return nullptr;
-  contact->time = t;
-  contact->ball = ball.id;
-  contact->body = event.other;
-  contact->shape = event.shape;
-  contact->p_WC = impact.p_WB - ball.params().radius * n_W;
-  contact->n_W = n_W;
-  contact->v_before = impact.v_before;
-  contact->v_after = impact.v_after;
-  contact->w_before = impact.w_before;
-  contact->w_after = impact.w_after;
-  contact->v_other = u;
-  contact->impulse = ball.params().mass * (impact.v_after - impact.v_before);
-  return contact;
+  records.provenances.push_back({static_cast<std::uint32_t>(i), records.run});
+  ++records.status.contacts;
+  if (!records.keep_contacts) return;
+  Contact& contact = records.contacts.emplace_back();
+  contact.time = impact.time;
+  contact.ball = ball.id;
+  contact.with_ball = other.is_ball;
+  contact.other_ball = other.ball;
+  contact.body = other.body;
+  contact.shape = other.shape;
+  contact.p_WC = impact.p_WB - ball.params().radius * impact.n_W;
+  contact.n_W = impact.n_W;
+  contact.v_before = impact.v_before;
+  contact.v_after = impact.v_after;
+  contact.w_before = impact.w_before;
+  contact.w_after = impact.w_after;
+  contact.v_other = impact.u;
+  contact.impulse = impact.impulse;
+}
+
+/// What a change of its velocity takes [N s].
+inline Vector3d impulseOf(const BallRecord& ball, const Vector3d& v_before, const Vector3d& v_after)
+{
+  return ball.params().mass * (v_after - v_before);
 }
 }  // namespace ping_pong

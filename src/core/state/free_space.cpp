@@ -2,14 +2,17 @@
 
 #include <cstdio>
 
+#include "geometry/tolerances.h"
+
 namespace ping_pong
 {
 namespace
 {
-constexpr double kPressed = 1e-4;  // overlap that a pile may leave [m]
-constexpr int kMaxPushes = 50;
+constexpr double kPressed = 1e-4;  // overlap that the contact solver may leave [m]
+constexpr int kMaxPushes = 50;     // between shapes that leave no room they would have no end
 
-struct Overlap
+// What is nearest to a sphere.
+struct Nearest
 {
   double gap = kNever;  // smallest gap, negative in overlap [m]
   Vector3d n_W = Vector3d::UnitZ();
@@ -17,7 +20,7 @@ struct Overlap
   BallId ball = 0;
 };
 
-void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, Overlap& deepest, bool moving = true)
+void searchBodies(const WorldState& world, const Vector3d& p_WB, double radius, Nearest& nearest, bool moving = true)
 {
   for (const BodyRecord& body : world.bodies)
   {
@@ -26,12 +29,12 @@ void lookAtBodies(const WorldState& world, const Vector3d& p_WB, double radius, 
     for (const Shape& shape : body.shapes())
     {
       const Gap gap = gapTo(shape, frame, p_WB, Vector3d::Zero(), radius);
-      if (gap.gap < deepest.gap) deepest = {gap.gap, gap.n_W, &body, 0};
+      if (gap.gap < nearest.gap) nearest = {gap.gap, gap.n_W, &body, 0};
     }
   }
 }
 
-void lookAtBalls(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except, Overlap& deepest)
+void searchBalls(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except, Nearest& nearest)
 {
   for (std::size_t i = 0; i < world.balls.size(); ++i)
   {
@@ -40,18 +43,18 @@ void lookAtBalls(const WorldState& world, const Vector3d& p_WB, double radius, s
     const Vector3d d = p_WB - other.stateAt(world.time).p_WB;
     const double distance = d.norm();
     const double gap = distance - radius - other.params().radius;
-    if (gap >= deepest.gap) continue;
+    if (gap >= nearest.gap) continue;
     const Vector3d n = distance > 0.0 ? Vector3d(d / distance) : Vector3d(Vector3d::UnitZ());
-    deepest = {gap, n, nullptr, other.id};
+    nearest = {gap, n, nullptr, other.id};
   }
 }
 
-Overlap deepestOverlap(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
+Nearest nearestTo(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
 {
-  Overlap deepest;
-  lookAtBodies(world, p_WB, radius, deepest);
-  lookAtBalls(world, p_WB, radius, except, deepest);
-  return deepest;
+  Nearest nearest;
+  searchBodies(world, p_WB, radius, nearest);
+  searchBalls(world, p_WB, radius, except, nearest);
+  return nearest;
 }
 }  // namespace
 
@@ -59,9 +62,9 @@ bool pushOut(const WorldState& world, Vector3d& p_WB, double radius, std::size_t
 {
   for (int i = 0; i < kMaxPushes; ++i)
   {
-    const Overlap deepest = deepestOverlap(world, p_WB, radius, except);
-    if (deepest.gap >= -kTouching) return true;
-    p_WB -= deepest.gap * deepest.n_W;
+    const Nearest nearest = nearestTo(world, p_WB, radius, except);
+    if (nearest.gap >= -kOverlapTolerance) return true;
+    p_WB -= nearest.gap * nearest.n_W;
   }
   return false;
 }
@@ -70,43 +73,43 @@ void pushOutOfStill(const WorldState& world, Vector3d& p_WB, double radius)
 {
   for (int i = 0; i < kMaxPushes; ++i)
   {
-    Overlap deepest;
-    lookAtBodies(world, p_WB, radius, deepest, false);
-    if (deepest.gap >= -kTouching) return;
-    p_WB -= deepest.gap * deepest.n_W;
+    Nearest nearest;
+    searchBodies(world, p_WB, radius, nearest, false);
+    if (nearest.gap >= -kOverlapTolerance) return;
+    p_WB -= nearest.gap * nearest.n_W;
   }
 }
 
-bool hasRoomInPile(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
+bool hasRoomInSolver(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
 {
-  return deepestOverlap(world, p_WB, radius, except).gap >= -kPressed;
+  return nearestTo(world, p_WB, radius, except).gap >= -kPressed;
 }
 
 bool hasRoom(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
 {
-  return deepestOverlap(world, p_WB, radius, except).gap >= -kTouching;
+  return nearestTo(world, p_WB, radius, except).gap >= -kOverlapTolerance;
 }
 
 bool hasRoomAmongBodies(const WorldState& world, const Vector3d& p_WB, double radius)
 {
-  Overlap deepest;
-  lookAtBodies(world, p_WB, radius, deepest);
-  return deepest.gap >= -kTouching;
+  Nearest nearest;
+  searchBodies(world, p_WB, radius, nearest);
+  return nearest.gap >= -kOverlapTolerance;
 }
 
 bool overlapsABody(const WorldState& world, const Vector3d& p_WB, double radius)
 {
-  Overlap deepest;
-  lookAtBodies(world, p_WB, radius, deepest);
-  return deepest.gap < -kPressed;
+  Nearest nearest;
+  searchBodies(world, p_WB, radius, nearest);
+  return nearest.gap < -kPressed;
 }
 
 std::string describeOverlap(const WorldState& world, const Vector3d& p_WB, double radius, std::size_t except)
 {
-  const Overlap deepest = deepestOverlap(world, p_WB, radius, except);
-  if (deepest.gap >= -kTouching) return {};
+  const Nearest nearest = nearestTo(world, p_WB, radius, except);
+  if (nearest.gap >= -kOverlapTolerance) return {};
   char depth[64];
-  std::snprintf(depth, sizeof depth, " (%.3g mm deep)", -1e3 * deepest.gap);
-  return (deepest.body != nullptr ? deepest.body->body.name : "ball_" + std::to_string(deepest.ball)) + depth;
+  std::snprintf(depth, sizeof depth, " (%.3g mm deep)", -1e3 * nearest.gap);
+  return (nearest.body != nullptr ? nearest.body->body.name : "ball_" + std::to_string(nearest.ball)) + depth;
 }
 }  // namespace ping_pong

@@ -5,6 +5,6 @@
 
 namespace ping_pong
 {
-/// The ball stays where it was last whole, collides with nothing, and is let go at rest when there is room again.
+/// The ball stays where it was last whole, collides with nothing, and is released at rest when there is room again.
 void squeeze(Records& records, BallRecord& ball, BallState state, double t);
 }  // namespace ping_pong

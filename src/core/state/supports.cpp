@@ -6,7 +6,8 @@ namespace ping_pong
 {
 namespace
 {
-constexpr std::uint32_t kMostShortPaths = 80;
+constexpr std::uint32_t kMostShortPaths =
+    80;                                 // more change nothing: the grip time is at its longest 15 beyond patience
 constexpr std::uint32_t kForgiven = 4;  // by one that is not
 
 Supports::Surface surface(std::size_t body, std::size_t shape)

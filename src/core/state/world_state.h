@@ -27,7 +27,7 @@ struct Event
   enum class Kind : std::uint8_t
   {
     None,
-    LookAgain,  ///< the search ended here without an answer
+    Horizon,    ///< the search ended here without an answer: it goes on from there
     LeaveFace,  ///< the path on the supporting surfaces ends
     HitBody,
     HitBall
@@ -36,13 +36,13 @@ struct Event
 
   double time = kNever;           ///< world time [s]
   std::uint32_t other = kNobody;  ///< index of body or ball
-  std::uint32_t version = 0;      ///< of the other when this was foreseen: another one makes it void
+  std::uint32_t version = 0;      ///< of the other when this was predicted: another one makes it void
   std::uint16_t shape = 0;        ///< of the body
   Kind kind = Kind::None;
 };
 
 /// What concerns a ball in this window only, and not all balls.
-struct Passing
+struct TransientPredictions
 {
   Event moving;  ///< with moving bodies
   Event ball;    ///< with balls of the same island, while that runs
@@ -65,17 +65,17 @@ struct BallRecord
   const BallType* type;
   [[no_unique_address]] Event next;  ///< with still bodies; holds until the path changes
   BallOwner owner : 7;
-  bool overflows : 1;         ///< a step of fixed length from here has no finite end: the path goes straight on
-  std::uint16_t crush = 0;    ///< contacts in even quicker succession than a streak's
-  std::uint8_t streak = 0;    ///< contacts in quick succession, see collapse_guard.h
-  std::uint8_t crowding = 0;  ///< contacts with other balls since `crowded_since`, see crowding.h
-  Pooled<Passing> passing;
+  bool overflows : 1;  ///< a step of fixed length from here has no finite end: the path goes straight on
+  std::uint16_t instant_contacts = 0;  ///< contacts in even quicker succession
+  std::uint8_t quick_contacts = 0;     ///< contacts in quick succession, see collapse_guard.h
+  std::uint8_t frequent_contacts = 0;  ///< contacts with other balls since `frequent_since`, see hand_off_rule.h
+  Pooled<TransientPredictions> transient;
   Supports supports;
   [[no_unique_address]] Segment path;
   BallId id;
-  double last_contact = -1e300;  ///< [s]
-  float crowded_since = -1e30f;  ///< [s]
-  std::uint32_t version = 0;     ///< of the path
+  double last_contact = -1e300;   ///< [s]
+  float frequent_since = -1e30f;  ///< [s]
+  std::uint32_t version = 0;      ///< of the path
 
   BallRecord(BallId its_id, const BallType& its_type)
       : type(&its_type), owner(BallOwner::Method), overflows(false), id(its_id)
@@ -95,29 +95,29 @@ struct BallRecord
   }
   BallState stateAt(double time) const { return path.state(time - path.start); }
 
-  /// When it meets a ball or a moving body, as far as that is foreseen; kNever if it does not.
-  double meetsBall() const { return passing ? passing->ball.time : kNever; }
-  double meetsMoving() const { return passing ? passing->moving.time : kNever; }
+  /// When it meets a ball or a moving body, as far as that is predicted; kNever if it does not.
+  double meetsBall() const { return transient ? transient->ball.time : kNever; }
+  double meetsMoving() const { return transient ? transient->moving.time : kNever; }
   void expectNothing()
   {
     next = Event();
-    if (passing) passing->moving = passing->ball = Event();
+    if (transient) transient->moving = transient->ball = Event();
   }
   /// As between runs of islands.
   void expectNoBall()
   {
-    if (meetsMoving() == kNever) return passing.reset();
-    passing->ball = Event();
+    if (meetsMoving() == kNever) return transient.reset();
+    transient->ball = Event();
   }
 };
 static_assert(sizeof(BallRecord) <= 224, "a crowd has thousands: see docs/crowd_cost.md");
 
-inline const Event& soonest(const BallRecord& ball)
+inline const Event& nextEvent(const BallRecord& ball)
 {
-  if (!ball.passing) return ball.next;
-  const Passing& passing = *ball.passing;
-  const Event& with_body = passing.moving.time < ball.next.time ? passing.moving : ball.next;
-  return passing.ball.time < with_body.time ? passing.ball : with_body;
+  if (!ball.transient) return ball.next;
+  const TransientPredictions& transient = *ball.transient;
+  const Event& with_body = transient.moving.time < ball.next.time ? transient.moving : ball.next;
+  return transient.ball.time < with_body.time ? transient.ball : with_body;
 }
 
 /// Contains the ball on its path at all times in [from, to], or from the start of the path if that is later.
@@ -158,7 +158,7 @@ struct BodyRecord
 };
 
 /// Which ball has recorded a contact, and in which run of its island: what an earlier one has recorded has not happened.
-struct ContactOrigin
+struct ContactProvenance
 {
   std::uint32_t ball;
   std::uint32_t run;  ///< 0: the ball was alone
@@ -169,13 +169,13 @@ struct Records
 {
   bool keep_contacts = true;  ///< else they are counted only
   std::vector<Contact> contacts;
-  std::vector<ContactOrigin> origins;  ///< by contact, in the exact method
-  std::uint32_t run = 0;               ///< of the island at work, for origins
+  std::vector<ContactProvenance> provenances;  ///< by contact, in the exact method
+  std::uint32_t run = 0;                       ///< of the island at work, for provenances
   StepStatus status;
-  std::size_t pair_searches = 0;  ///< of balls with balls, in this window
-  std::size_t near_pairs = 0;     ///< of balls whose boxes overlap, in this window
-  bool crowding = false;          ///< a ball has met others too often, see crowding.h
-  bool any_squeezed = false;      ///< a ball may be
+  std::size_t pair_searches = 0;   ///< of balls with balls, in this window
+  std::size_t near_pairs = 0;      ///< of balls whose boxes overlap, in this window
+  bool frequent_contacts = false;  ///< a ball has met others too often, see hand_off_rule.h
+  bool any_squeezed = false;       ///< a ball may be
 };
 
 /// What a world was made of. It never changes, so that a world and its copies share it.
@@ -208,7 +208,7 @@ struct WorldState : Records, SharedScene
   std::vector<BodyRecord> bodies;
   bool any_moving = false;  ///< any body, in this window
   std::uint32_t edits =
-      0;            ///< raised by who changes balls or bodies outside of a window: what is remembered of them is void
+      0;  ///< raised by all that change balls or bodies outside of a window: what is remembered of them is void
   Workers workers;  ///< as many as the scene names threads, once there are balls to share
 
   /// Its record will be changed soon: until then it comes through memory.

@@ -9,65 +9,65 @@ namespace
 {
 constexpr std::uint8_t kAskRecord = 0, kAway = 1;
 
-GlanceKind::How howOf(const BallRecord& ball)
+CachedType::How howOf(const BallRecord& ball)
 {
-  if (ball.away()) return GlanceKind::How::Away;
-  if (ball.path.degree == 2) return GlanceKind::How::Flies;
-  return ball.path.degree == 0 ? GlanceKind::How::Lies : GlanceKind::How::AskRecord;
+  if (ball.away()) return CachedType::How::Away;
+  if (ball.path.degree == 2) return CachedType::How::Flies;
+  return ball.path.degree == 0 ? CachedType::How::Lies : CachedType::How::AskRecord;
 }
 }  // namespace
 
-void Glances::reserve(std::size_t balls)
+void BallCache::reserve(std::size_t balls)
 {
   takeMemory(list_, balls);
-  kinds_.reserve(kMostKinds);
+  types_.reserve(kMostTypes);
 }
 
-bool Glances::is(std::uint8_t kind, const BallRecord& ball) const
+bool BallCache::is(std::uint8_t type, const BallRecord& ball) const
 {
-  const GlanceKind& it = kinds_[kind];
+  const CachedType& it = types_[type];
   return it.how == howOf(ball) && it.radius == ball.params().radius &&
-         (it.how == GlanceKind::How::Lies || it.half_a == ball.path.c[2]);
+         (it.how == CachedType::How::Lies || it.half_a == ball.path.c[2]);
 }
 
-std::uint8_t Glances::kindFor(const BallRecord& ball, std::uint8_t guess) const
+std::uint8_t BallCache::typeFor(const BallRecord& ball, std::uint8_t guess) const
 {
   if (ball.away()) return kAway;
   if (is(guess, ball)) return guess;
-  for (std::size_t kind = kAway + 1; kind < kinds_.size(); ++kind)
-    if (is(static_cast<std::uint8_t>(kind), ball)) return static_cast<std::uint8_t>(kind);
+  for (std::size_t type = kAway + 1; type < types_.size(); ++type)
+    if (is(static_cast<std::uint8_t>(type), ball)) return static_cast<std::uint8_t>(type);
   return kAskRecord;
 }
 
-float Glances::lookAt(const BallRecord& ball, std::size_t i, bool bent)
+float BallCache::read(const BallRecord& ball, std::size_t i, bool left_path)
 {
-  Glance& glance = list_[i];
-  glance.version = static_cast<std::uint16_t>(ball.version);
-  glance.kind = kindFor(ball, glance.kind);
-  glance.bent = bent;
-  glance.start = ball.path.start;
-  glance.p = ball.path.c[0];
-  glance.v = ball.path.degree == 0 ? Vector3d(Vector3d::Zero()) : ball.path.c[1];
+  CachedBall& cached = list_[i];
+  cached.version = static_cast<std::uint16_t>(ball.version);
+  cached.type = typeFor(ball, cached.type);
+  cached.left_path = left_path;
+  cached.start = ball.path.start;
+  cached.p = ball.path.c[0];
+  cached.v = ball.path.degree == 0 ? Vector3d(Vector3d::Zero()) : ball.path.c[1];
   return floatBefore(std::min(ball.next.time, ball.meetsMoving()));
 }
 
-// The kinds are found here: while windows run, several workers read them.
-void Glances::lookAtAll(const std::vector<BallRecord>& balls, std::uint32_t edits)
+// The types are found here: while windows run, several workers read them.
+void BallCache::readAll(const std::vector<BallRecord>& balls, std::uint32_t edits)
 {
-  kinds_.resize(2);
-  kinds_[kAway].how = GlanceKind::How::Away;
-  list_.assign(balls.size(), Glance());
+  types_.resize(2);
+  types_[kAway].how = CachedType::How::Away;
+  list_.assign(balls.size(), CachedBall());
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     const BallRecord& ball = balls[i];
-    list_[i].next = lookAt(ball, i, false);
-    const GlanceKind::How how = howOf(ball);
-    const bool new_kind = list_[i].kind == kAskRecord && how != GlanceKind::How::AskRecord;
-    const bool rolls = how == GlanceKind::How::Flies && !ball.supports.none();
-    if (!new_kind || rolls || kinds_.size() == kMostKinds) continue;
-    kinds_.push_back(
-        {how, ball.params().radius, how == GlanceKind::How::Flies ? ball.path.c[2] : Vector3d(Vector3d::Zero())});
-    list_[i].kind = static_cast<std::uint8_t>(kinds_.size() - 1);
+    list_[i].setNext(read(ball, i, false));
+    const CachedType::How how = howOf(ball);
+    const bool new_type = list_[i].type == kAskRecord && how != CachedType::How::AskRecord;
+    const bool rolls = how == CachedType::How::Flies && !ball.supports.none();
+    if (!new_type || rolls || types_.size() == kMostTypes) continue;
+    types_.push_back(
+        {how, ball.params().radius, how == CachedType::How::Flies ? ball.path.c[2] : Vector3d(Vector3d::Zero())});
+    list_[i].type = static_cast<std::uint8_t>(types_.size() - 1);
   }
   known_ = edits;
 }

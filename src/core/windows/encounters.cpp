@@ -20,8 +20,8 @@ struct View
 constexpr std::uint16_t kMostPieces = 32;  // of a ball in a window; from then on it may have been anywhere near
 
 // Calls look(piece) for every piece that a ball has left, the last one first, until one answers yes.
-template <class Look>
-bool anyPieceLeft(const WorldWithWindows& world, std::size_t i, const Look& look)
+template <class GapSample>
+bool anyPieceLeft(const WorldWithWindows& world, std::size_t i, const GapSample& look)
 {
   for (std::uint32_t entry = world.islands.lastPiece(i); entry != IslandRecords::kNoEntry;)
   {
@@ -34,17 +34,17 @@ bool anyPieceLeft(const WorldWithWindows& world, std::size_t i, const Look& look
 
 View onItsPath(const WorldWithWindows& world, const WorkerWindow& window, std::size_t i)
 {
-  const Glance& glance = world.islands.glances[i];
-  const GlanceKind& kind = world.islands.glances.kindOf(glance);
-  if (kind.how == GlanceKind::How::Flies) return {viewOf(glance, kind), window.end, true};
+  const CachedBall& cached = world.islands.cache[i];
+  const CachedType& type = world.islands.cache.typeOf(cached);
+  if (type.how == CachedType::How::Flies) return {viewOf(cached, type), window.end, true};
   const Segment& path = world.balls[i].path;
   return {ParabolaView(path), window.end, isParabola(path)};
 }
 
 double radiusOf(const WorldWithWindows& world, std::size_t i)
 {
-  const GlanceKind& kind = world.islands.glances.kindOf(world.islands.glances[i]);
-  return kind.how == GlanceKind::How::Flies ? kind.radius : world.balls[i].params().radius;
+  const CachedType& type = world.islands.cache.typeOf(world.islands.cache[i]);
+  return type.how == CachedType::How::Flies ? type.radius : world.balls[i].params().radius;
 }
 
 bool meet(const View& a, const View& b, double reach)
@@ -57,7 +57,7 @@ bool meet(const View& a, const View& b, double reach)
   return firstContact(a.path, b.path, reach, from, until).found();
 }
 
-// On paths that both, or one of them, have left. Few have: whoever asks for the others is quicker without this in between.
+// On paths that both, or one of them, have left. Few have: questions about the others are quicker without this in between.
 [[gnu::noinline]] bool metBefore(const WorldWithWindows& world, const WorkerWindow& window, std::size_t i,
                                  std::size_t k)
 {
@@ -74,14 +74,14 @@ bool asLittleIsKnown(const Piece& piece, const Segment& path)
   return !piece.parabola && !isParabola(path);
 }
 
-// Whoever comes near has to expect the ball until then.
+// A ball that comes near has to expect this one until then.
 void forgetPath(Piece& piece, double until)
 {
   piece.parabola = false;
   piece.until = until;
 }
 
-[[gnu::noinline]] double meetingOnPaths(const BallRecord& a, const BallRecord& b, double until)
+[[gnu::noinline]] double pairContactOnPaths(const BallRecord& a, const BallRecord& b, double until)
 {
   if (a.away() || b.away() || (a.path.degree == 0 && b.path.degree == 0)) return kNever;
   const double from = std::max(a.path.start, b.path.start);
@@ -89,17 +89,18 @@ void forgetPath(Piece& piece, double until)
   return firstContact(a.path, a.params().radius, b.path, b.params().radius, from, to).time;
 }
 
-// See firstMeeting(): asked for every two balls that come near each other.
-[[gnu::always_inline]] inline double meeting(const WorldWithWindows& world, std::size_t i, std::size_t k, double until)
+// See firstPairContact(): asked for every two balls that come near each other.
+[[gnu::always_inline]] inline double pairContact(const WorldWithWindows& world, std::size_t i, std::size_t k,
+                                                 double until)
 {
-  const Glances& glances = world.islands.glances;
-  const Glance &a = glances[i], &b = glances[k];
-  const GlanceKind &kind_a = glances.kindOf(a), &kind_b = glances.kindOf(b);
-  const bool fly = kind_a.how == GlanceKind::How::Flies && kind_b.how == GlanceKind::How::Flies;
-  if (!fly || (a.kind != b.kind && kind_a.half_a != kind_b.half_a))
-    return meetingOnPaths(world.balls[i], world.balls[k], until);
+  const BallCache& cache = world.islands.cache;
+  const CachedBall &a = cache[i], &b = cache[k];
+  const CachedType &type_a = cache.typeOf(a), &type_b = cache.typeOf(b);
+  const bool fly = type_a.how == CachedType::How::Flies && type_b.how == CachedType::How::Flies;
+  if (!fly || (a.type != b.type && type_a.half_a != type_b.half_a))
+    return pairContactOnPaths(world.balls[i], world.balls[k], until);
   count(Law::PairSearch);
-  return firstContact(viewOf(a, kind_a), viewOf(b, kind_b), kind_a.radius + kind_b.radius, std::max(a.start, b.start),
+  return firstContact(viewOf(a, type_a), viewOf(b, type_b), type_a.radius + type_b.radius, std::max(a.start, b.start),
                       until)
       .time;
 }
@@ -107,8 +108,8 @@ class WindowLog final : public FlightLog
 {
 public:
   WindowLog(WorldWithWindows& its_world, const WorkerWindow& its_window) : world(its_world), window(its_window) {}
-  void flown(std::size_t i, double t) override;
-  void flownInBox(std::size_t i, const Box& box, double t) override;
+  void leavesPath(std::size_t i, double t) override;
+  void flewInBox(std::size_t i, const Box& box, double t) override;
   void met(std::size_t i, std::size_t k) override { world.islands.busy(i).met = world.islands.busy(k).met = true; }
 
 private:
@@ -116,7 +117,7 @@ private:
   const WorkerWindow& window;
 };
 
-void WindowLog::flown(std::size_t i, double t)
+void WindowLog::leavesPath(std::size_t i, double t)
 {
   IslandRecords& islands = world.islands;
   IslandWork& work = *window.work;
@@ -126,7 +127,8 @@ void WindowLog::flown(std::size_t i, double t)
   std::uint16_t count = 1;
   if (last != IslandRecords::kNoEntry)
   {
-    Piece& before = work.pieces[IslandRecords::indexOf(last)];  // whoever runs a ball on has noted what it has flown
+    Piece& before =
+        work.pieces[IslandRecords::indexOf(last)];  // the worker that goes on with a ball has logged its flight
     if (asLittleIsKnown(before, ball.path) || before.count == kMostPieces) return forgetPath(before, t);
     count = static_cast<std::uint16_t>(before.count + 1);
   }
@@ -134,7 +136,7 @@ void WindowLog::flown(std::size_t i, double t)
   work.pieces.push_back({asParabola(ball.path), t, last, count, isParabola(ball.path)});
 }
 
-void WindowLog::flownInBox(std::size_t i, const Box& box, double t)
+void WindowLog::flewInBox(std::size_t i, const Box& box, double t)
 {
   world.islands.busy(i).swept.add(CoarseBox(box));
   forgetPath(window.work->pieces[IslandRecords::indexOf(world.islands.busy(i).piece)], t);
@@ -150,7 +152,7 @@ bool runLogged(WorldWithWindows& world, const WorkerWindow& window)
   return runTogether(world, logged);
 }
 
-void forgetFlown(IslandRecords& islands, std::size_t i)
+void clearFlightLog(IslandRecords& islands, std::size_t i)
 {
   IslandWork::Busy& busy = islands.busy(i);
   busy.swept = CoarseBox();
@@ -160,21 +162,21 @@ void forgetFlown(IslandRecords& islands, std::size_t i)
 void noteLast(WorldWithWindows& world, const WorkerWindow& window, std::size_t i)
 {
   IslandRecords& islands = world.islands;
-  const bool bent = islands.busy(i).piece != IslandRecords::kNoEntry;
-  islands.busy(i).swept.add(CoarseBox(boxAhead(world.balls[i], window.start, window.outlook)));
-  islands.busy(i).next_event = islands.glances.lookAt(world.balls[i], i, bent);
+  const bool left_path = islands.busy(i).piece != IslandRecords::kNoEntry;
+  islands.busy(i).swept.add(CoarseBox(boxAhead(world.balls[i], window.start, window.lookahead)));
+  islands.busy(i).next_event = islands.cache.read(world.balls[i], i, left_path);
 }
 
-double firstMeeting(const WorldWithWindows& world, std::size_t i, std::size_t k, double until)
+double firstPairContact(const WorldWithWindows& world, std::size_t i, std::size_t k, double until)
 {
-  return meeting(world, i, k, until);
+  return pairContact(world, i, k, until);
 }
 
-Encounter encounterOf(const WorldWithWindows& world, const WorkerWindow& window, std::size_t i, std::size_t k)
+PairOutcome outcomeOf(const WorldWithWindows& world, const WorkerWindow& window, std::size_t i, std::size_t k)
 {
-  const Glances& glances = world.islands.glances;
-  if ((glances[i].bent || glances[k].bent) && metBefore(world, window, i, k)) return {true, kNever};
-  const double next = meeting(world, i, k, window.outlook);
+  const BallCache& cache = world.islands.cache;
+  if ((cache[i].left_path || cache[k].left_path) && metBefore(world, window, i, k)) return {true, kNever};
+  const double next = pairContact(world, i, k, window.lookahead);
   return {next <= window.end, next};
 }
 }  // namespace ping_pong

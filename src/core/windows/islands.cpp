@@ -11,7 +11,7 @@ namespace ping_pong
 {
 namespace
 {
-void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::size_t>& members)
+void listMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::size_t>& members)
 {
   members.clear();
   std::uint32_t i = root;
@@ -21,7 +21,7 @@ void gatherMembers(IslandRecords& islands, std::uint32_t root, std::vector<std::
     islands.busy(i).root = root;
     i = islands.busy(i).next;
   } while (i != root);
-  std::sort(members.begin(), members.end());  // ties go to the first ball, whoever came in first
+  std::sort(members.begin(), members.end());  // ties go to the first ball, in whatever order they came in
 }
 
 void backToStart(WorldWithWindows& world, IslandWork& work, std::size_t i)
@@ -32,7 +32,7 @@ void backToStart(WorldWithWindows& world, IslandWork& work, std::size_t i)
     save(world, work, i);
   else
     world.balls[i] = islands.saved(busy.saved);
-  forgetFlown(islands, i);
+  clearFlightLog(islands, i);
   busy.run = islands.runs;
   busy.met = busy.listed = false;
 }
@@ -42,22 +42,22 @@ void runIsland(WorldWithWindows& world, WorkerWindow window, std::uint32_t root)
 {
   IslandWork& work = *window.work;
   const std::vector<std::size_t>& members = work.members;
-  gatherMembers(world.islands, root, work.members);
+  listMembers(world.islands, root, work.members);
   work.run = world.islands.runs;
   for (const std::size_t i : members) backToStart(world, work, i);
   for (std::size_t m = 0; m < members.size(); ++m)
     for (std::size_t n = m + 1; n < members.size(); ++n)
-      foreseeBall(world, members[m], members[n], -kNever, window.end, work);
+      predictBall(world, members[m], members[n], -kNever, window.end, work);
   window.members = members.data();
   window.count = members.size();
   window.most_events = mostEvents(world, members);
-  if (!runLogged(world, window)) work.crowded.insert(work.crowded.end(), members.begin(), members.end());
+  if (!runLogged(world, window)) work.to_hand_off.insert(work.to_hand_off.end(), members.begin(), members.end());
   work.run = 0;
   for (const std::size_t i : members)
   {
     world.balls[i].expectNoBall();
     noteLast(world, window, i);
-    if (world.islands.busy(i).met) world.islands.announce(work, static_cast<std::uint32_t>(i));
+    if (world.islands.busy(i).met) world.islands.deferInsertion(work, static_cast<std::uint32_t>(i));
   }
 }
 
@@ -70,14 +70,14 @@ void runIsland(WorldWithWindows& world, WorkerWindow window, std::uint32_t root)
 
 void runIslandParts(WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* roots, std::size_t count)
 {
-  inTurn(
+  eachPrefetched(
       roots, count, [&world](std::uint32_t root) { fetchIsland(world, root); },
       [&](std::uint32_t root) { runIsland(world, window, root); });
 }
 
 // Calls action(ball) for each that was hit.
 template <class Action>
-void eachThrown(const WorldWithWindows& world, std::uint32_t root, const Action& action)
+void eachDeflected(const WorldWithWindows& world, std::uint32_t root, const Action& action)
 {
   const IslandRecords& islands = world.islands;
   for (std::uint32_t i = islands.busy(root).next;;)
@@ -92,11 +92,11 @@ void eachThrown(const WorldWithWindows& world, std::uint32_t root, const Action&
 // Balls that were thrown off their path may come into the way of balls outside, islands of the same run among them.
 void findWhoWasMet(WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* roots, std::size_t count)
 {
-  std::vector<std::uint32_t>& thrown = window.work->thrown;
-  thrown.clear();
+  std::vector<std::uint32_t>& deflected = window.work->deflected;
+  deflected.clear();
   for (std::size_t r = 0; r < count; ++r)
-    eachThrown(world, roots[r], [&thrown](std::uint32_t i) { thrown.push_back(i); });
-  lookAround(world, window, thrown.data(), thrown.size());
+    eachDeflected(world, roots[r], [&deflected](std::uint32_t i) { deflected.push_back(i); });
+  predictAround(world, window, deflected.data(), deflected.size());
 }
 
 // Calls action(world, its window, roots, how many) for parts of the lists of islands that have to run, those of a worker by

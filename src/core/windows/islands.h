@@ -34,7 +34,7 @@ void eachList(WorldWithWindows& world, const WorkerWindow& window, const Action&
 
 /// Calls action(entry) for all entries; kAhead before, ahead(entry): what that fetches has come by then.
 template <std::size_t kAhead = 3, class Entry, class Ahead, class Action>
-void inTurn(const Entry* entries, std::size_t count, const Ahead& ahead, const Action& action)
+void eachPrefetched(const Entry* entries, std::size_t count, const Ahead& ahead, const Action& action)
 {
   for (std::size_t c = 0; c < std::min(kAhead, count); ++c) ahead(entries[c]);
   for (std::size_t c = 0; c < count; ++c)

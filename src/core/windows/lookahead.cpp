@@ -10,38 +10,38 @@ namespace ping_pong
 {
 namespace
 {
-constexpr double kMostChanges = 0.25;  // by ball: then it is time for a new grid
+constexpr double kMostChanges = 0.25;  // by ball: additions are in lists, slower to search than the grid
 constexpr std::size_t kListed = 8;     // balls for which is listed who is near, before the first one is looked at
 
-bool unchanged(const WorldWithWindows& world, const Meeting& meeting)
+bool unchanged(const WorldWithWindows& world, const PredictedContact& contact)
 {
-  const Glances& glances = world.islands.glances;
-  return glances[meeting.first].version == meeting.first_version &&
-         glances[meeting.second].version == meeting.second_version;
+  const BallCache& cache = world.islands.cache;
+  return cache[contact.first].version == contact.first_version &&
+         cache[contact.second].version == contact.second_version;
 }
 
 void note(const WorldWithWindows& world, IslandWork& work, std::uint32_t i, std::uint32_t k, double t)
 {
-  const Glances& glances = world.islands.glances;
-  work.meetings.push_back({floatBefore(t), i, k, glances[i].version, glances[k].version});
+  const BallCache& cache = world.islands.cache;
+  work.predicted.push_back({floatBefore(t), i, k, cache[i].version, cache[k].version});
 }
 
-void noteEncounter(const WorldWithWindows& world, const WorkerWindow& window, IslandWork& work, std::uint32_t i,
-                   std::uint32_t k)
+void noteOutcome(const WorldWithWindows& world, const WorkerWindow& window, IslandWork& work, std::uint32_t i,
+                 std::uint32_t k)
 {
-  const Encounter encounter = encounterOf(world, window, i, k);
-  if (encounter.met)
+  const PairOutcome outcome = outcomeOf(world, window, i, k);
+  if (outcome.met)
     work.met.push_back({i, k});
-  else if (encounter.next <= window.outlook)
-    note(world, work, i, k, encounter.next);
+  else if (outcome.next <= window.lookahead)
+    note(world, work, i, k, outcome.next);
 }
 
 // On the paths that they are on: what they did in the window is known.
 void noteNext(const WorldWithWindows& world, const WorkerWindow& window, std::uint32_t i, std::uint32_t k)
 {
   ++window.work->near_pairs;
-  const double t = firstMeeting(world, i, k, window.outlook);
-  if (t <= window.outlook) note(world, *window.work, i, k, t);
+  const double t = firstPairContact(world, i, k, window.lookahead);
+  if (t <= window.lookahead) note(world, *window.work, i, k, t);
 }
 
 // Calls action(i, k) for each of these balls i and every other ball k whose box overlaps box(i); for some k twice.
@@ -59,12 +59,12 @@ void eachNearOf(const std::uint32_t* balls, std::size_t count, const IslandRecor
   }
 }
 
-void lookForNext(const WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* balls,
+void predictNext(const WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* balls,
                  std::size_t count)
 {
   eachNearOf(
       balls, count, world.islands, window.work->near,
-      [&](std::uint32_t i) { return boxAhead(world.balls[i], window.end, window.outlook); },
+      [&](std::uint32_t i) { return boxAhead(world.balls[i], window.end, window.lookahead); },
       [&](std::uint32_t i, std::uint32_t k) { noteNext(world, window, i, k); });
 }
 }  // namespace
@@ -74,30 +74,30 @@ Box boxAhead(const BallRecord& ball, double from, double to)
   return boxOf(ball, from, std::max(std::min(to, ball.path.end), from));
 }
 
-void beginOutlook(WorldWithWindows& world, const WorkerWindow& window)
+void beginLookahead(WorldWithWindows& world, const WorkerWindow& window)
 {
   IslandRecords& islands = world.islands;
-  Outlook& outlook = islands.outlook;
-  outlook.start = window.start;
-  outlook.end = window.outlook;
+  Lookahead& lookahead = islands.lookahead;
+  lookahead.start = window.start;
+  lookahead.end = window.lookahead;
   for (IslandWork& work : islands.work)
   {
-    work.meetings.clear();
-    for (const std::uint32_t i : work.added) islands.glances[i].added = false;
+    work.predicted.clear();
+    for (const std::uint32_t i : work.added) islands.cache[i].added = false;
     work.added.clear();
-    for (const std::uint32_t i : work.due) islands.glances[i].due = false;
+    for (const std::uint32_t i : work.due) islands.cache[i].due = false;
     work.due.clear();
   }
-  outlook.near_pairs = outlook.pair_searches = outlook.events = 0;
+  lookahead.near_pairs = lookahead.pair_searches = lookahead.events = 0;
 }
 
-void lookAtPair(const WorldWithWindows& world, const WorkerWindow& window, std::uint32_t i, std::uint32_t k)
+void predictPair(const WorldWithWindows& world, const WorkerWindow& window, std::uint32_t i, std::uint32_t k)
 {
   ++window.work->near_pairs;
-  noteEncounter(world, window, *window.work, i, k);
+  noteOutcome(world, window, *window.work, i, k);
 }
 
-void lookAround(WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* balls, std::size_t count)
+void predictAround(WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* balls, std::size_t count)
 {
   const IslandRecords& islands = world.islands;
   eachNearOf(
@@ -105,45 +105,46 @@ void lookAround(WorldWithWindows& world, const WorkerWindow& window, const std::
       [&](std::uint32_t i) -> const CoarseBox& { return islands.busy(i).swept; },
       [&](std::uint32_t i, std::uint32_t k)
       {
-        if (!islands.isBusy(k) || islands.busy(k).root != islands.busy(i).root) return lookAtPair(world, window, i, k);
+        if (!islands.isBusy(k) || islands.busy(k).root != islands.busy(i).root) return predictPair(world, window, i, k);
         if (k < i && islands.busy(k).met) return;  // it looks for this one
         noteNext(world, window, i, k);
       });
 }
 
-void takeMeetings(IslandWork& list, const Glances& glances, double end)
+void takeDueContacts(IslandWork& list, const BallCache& cache, double end)
 {
-  list.due_meetings.clear();
+  list.due_contacts.clear();
   std::size_t kept = 0;
-  for (const Meeting& meeting : list.meetings)
+  for (const PredictedContact& contact : list.predicted)
   {
-    if (static_cast<double>(meeting.time) > end)
+    if (static_cast<double>(contact.time) > end)
     {
-      list.meetings[kept++] = meeting;
+      list.predicted[kept++] = contact;
       continue;
     }
-    list.due_meetings.push_back(meeting);
-    glances.fetchToChange(meeting.first);
-    glances.fetchToChange(meeting.second);
+    list.due_contacts.push_back(contact);
+    cache.fetchToChange(contact.first);
+    cache.fetchToChange(contact.second);
   }
-  list.meetings.resize(kept);
+  list.predicted.resize(kept);
 }
 
 // It may be later: the time was rounded, or the search for it had ended without an answer.
-void lookAtMeetings(const WorldWithWindows& world, const WorkerWindow& window, const std::vector<Meeting>& meetings)
+void checkDueContacts(const WorldWithWindows& world, const WorkerWindow& window,
+                      const std::vector<PredictedContact>& predicted)
 {
-  for (const Meeting& meeting : meetings)
-    if (unchanged(world, meeting)) noteEncounter(world, window, *window.work, meeting.first, meeting.second);
+  for (const PredictedContact& contact : predicted)
+    if (unchanged(world, contact)) noteOutcome(world, window, *window.work, contact.first, contact.second);
 }
 
-// Whoever was in an island, but has not been hit, was thought to have met someone: what comes after that has not been looked for.
-void lookAhead(WorldWithWindows& world, const WorkerWindow& window, const IslandWork& list)
+// A ball that was in an island, but has not been hit, was thought to have met another: what comes after that is not predicted.
+void predictUnhit(WorldWithWindows& world, const WorkerWindow& window, const IslandWork& list)
 {
-  std::vector<std::uint32_t>& unhit = window.work->thrown;
+  std::vector<std::uint32_t>& unhit = window.work->deflected;
   unhit.clear();
   for (const IslandWork::Busy& busy : list.busy)
-    if (busy.run > 0 && !busy.met && !world.islands.glances.away(busy.ball)) unhit.push_back(busy.ball);
-  lookForNext(world, window, unhit.data(), unhit.size());
+    if (busy.run > 0 && !busy.met && !world.islands.cache.away(busy.ball)) unhit.push_back(busy.ball);
+  predictNext(world, window, unhit.data(), unhit.size());
 }
 
 void endIfManyChanged(WorldWithWindows& world, const WorkerWindow& window)
@@ -151,6 +152,6 @@ void endIfManyChanged(WorldWithWindows& world, const WorkerWindow& window)
   std::size_t added = 0;
   for (const IslandWork& work : world.islands.work) added += work.added.size();
   if (static_cast<double>(added) > kMostChanges * static_cast<double>(world.balls.size()))
-    world.islands.outlook.end = window.end;
+    world.islands.lookahead.end = window.end;
 }
 }  // namespace ping_pong

@@ -14,17 +14,17 @@ struct BallRecord;
 struct WorldWithWindows;
 struct WorkerWindow;
 struct IslandWork;
-class Glances;
+class BallCache;
 
-/// Two balls meet at this time if neither changes its path before. Whoever takes it looks again.
-struct Meeting
+/// Two balls meet at this time if neither changes its path before. It is searched again when it is due.
+struct PredictedContact
 {
   float time;                                   ///< no later than that [s]
   std::uint32_t first, second;                  ///< indices of balls
   std::uint16_t first_version, second_version;  ///< of their paths: the last bits
 };
 
-struct Outlook
+struct Lookahead
 {
   double start = 0.0, end = 0.0;                              ///< [s]
   std::size_t near_pairs = 0, pair_searches = 0, events = 0;  ///< since it began
@@ -33,26 +33,27 @@ struct Outlook
 /// Contains the ball on the path that it is on, from `from` on, until `to` or the end of the path.
 Box boxAhead(const BallRecord& ball, double from, double to);
 
-/// Forgets what has been foreseen; whom balls meet from the start of this window to the end of its outlook will be noted.
-void beginOutlook(WorldWithWindows& world, const WorkerWindow& window);
+/// Forgets all predictions; whom balls meet from the start of this window to the end of its lookahead will be noted.
+void beginLookahead(WorldWithWindows& world, const WorkerWindow& window);
 
-/// Notes that balls i and k have met in this window, or that on the paths that they are on they will meet until its outlook
+/// Notes that balls i and k have met in this window, or that on the paths that they are on they will meet until its lookahead
 /// ends, if so.
-void lookAtPair(const WorldWithWindows& world, const WorkerWindow& window, std::uint32_t i, std::uint32_t k);
+void predictPair(const WorldWithWindows& world, const WorkerWindow& window, std::uint32_t i, std::uint32_t k);
 
 /// Does so for these balls, whose paths have changed, and all that are near one of them. With those of its own island a ball has
 /// met what there was to meet: of them only what comes after the window is noted.
-void lookAround(WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* balls, std::size_t count);
+void predictAround(WorldWithWindows& world, const WorkerWindow& window, const std::uint32_t* balls, std::size_t count);
 
-/// Who meets in this window, as far as it has been foreseen, goes into another list.
-void takeMeetings(IslandWork& list, const Glances& glances, double end);
+/// Who meets in this window, as far as it is predicted, goes into another list.
+void takeDueContacts(IslandWork& list, const BallCache& cache, double end);
 
 /// Those of them who do, on the paths that they are on, are noted as having met.
-void lookAtMeetings(const WorldWithWindows& world, const WorkerWindow& window, const std::vector<Meeting>& meetings);
+void checkDueContacts(const WorldWithWindows& world, const WorkerWindow& window,
+                      const std::vector<PredictedContact>& predicted);
 
 /// At the end of a window: looks for whom those in this list meet next who were thought to have met someone but have not.
-void lookAhead(WorldWithWindows& world, const WorkerWindow& window, const IslandWork& list);
+void predictUnhit(WorldWithWindows& world, const WorkerWindow& window, const IslandWork& list);
 
-/// Ends the outlook with this window if too many have changed.
+/// Ends the lookahead with this window if too many have changed.
 void endIfManyChanged(WorldWithWindows& world, const WorkerWindow& window);
 }  // namespace ping_pong

@@ -5,32 +5,32 @@
 #include "events/predict.h"
 #include "evolve/flight.h"
 #include "resting/plan_path.h"
-#include "state/crowding.h"
+#include "state/hand_off_rule.h"
 
 namespace ping_pong
 {
 namespace
 {
-constexpr double kLongestStep = 2e-3;     // of the pile, unless the scene's dt is shorter [s]
-constexpr float kFreeFor = 0.02f;         // without touching another ball, before a ball goes back [s]
-constexpr std::uint32_t kLetGoEvery = 8;  // steps: whoever leaves makes the links of all others void
-constexpr double kFreeRoom = 0.25;        // and so much room to other balls, in radii
-constexpr double kNear = 5e-4;            // room to a ball of the pile that is no room [m]
+constexpr double kLongestStep = 2e-3;       // above 2.5 ms deep heaps do not fall asleep, see docs/crowds.md [s]
+constexpr float kFreeFor = 0.02f;           // without a contact, ten steps: else a ball would go to and fro [s]
+constexpr std::uint32_t kReleaseEvery = 8;  // steps: a ball that leaves makes the neighbours of all others void
+constexpr double kFreeRoom = 0.25;          // and so much room to other balls, in radii
+constexpr double kNear = 5e-4;              // room that is none: overlaps in the solver, and what a step may add [m]
 
 double stepOf(const WorldWithWindows& world)
 {
   return std::min(world.scene.dt, kLongestStep);
 }
 
-void join(WorldWithWindows& world, std::uint32_t i, double t)
+void handOne(WorldWithWindows& world, std::uint32_t i, double t)
 {
   BallRecord& ball = world.balls[i];
   ball.path = flyParabola(ball.stateAt(t), t, Vector3d::Zero());
   ball.supports = Supports();
   ball.expectNothing();
-  ++ball.version;  // what others foresaw with it is void
-  ball.crowding = 0;
-  addToPile(world, i, t);
+  ++ball.version;  // what others predicted with it is void
+  ball.frequent_contacts = 0;
+  addToSolver(world, i, t);
 }
 
 // A cube around the ball, as large as it and others can come nearer in the window.
@@ -49,8 +49,8 @@ Box boxAround(const BallRecord& ball, double start, double end)
 
 // Appends who may come into this box in the window. The grid is as large as the free balls ask for: what is beyond it, it takes
 // to be at its border, so that what it lists may be far away.
-void listWhoMayMeet(const WorldWithWindows& world, const CoarseBox& box, double start, double end,
-                    std::vector<std::uint32_t>& list)
+void listPossiblePartners(const WorldWithWindows& world, const CoarseBox& box, double start, double end,
+                          std::vector<std::uint32_t>& list)
 {
   const std::size_t before = list.size();
   world.islands.broad_phase.listOverlapping(box, list);
@@ -58,49 +58,49 @@ void listWhoMayMeet(const WorldWithWindows& world, const CoarseBox& box, double 
   list.erase(std::remove_if(list.begin() + static_cast<std::ptrdiff_t>(before), list.end(), apart), list.end());
 }
 
-// Joins whoever is near, and who is near them, and so on.
+// Hands over all that are near, and those near them, and so on.
 void spread(WorldWithWindows& world, double start, double end)
 {
   IslandRecords& islands = world.islands;
   for (std::size_t first = 0; first < islands.near.size(); ++first)
   {
     islands.found.clear();
-    listWhoMayMeet(world, islands.near_boxes[first], start, end, islands.found);
+    listPossiblePartners(world, islands.near_boxes[first], start, end, islands.found);
     std::sort(islands.found.begin(), islands.found.end());
     for (const std::uint32_t k : islands.found)
     {
       if (world.balls[k].away()) continue;
       islands.near.push_back(k);
       islands.near_boxes.emplace_back(boxAround(world.balls[k], start, end));
-      join(world, k, start);
+      handOne(world, k, start);
     }
   }
 }
 
-// Whether no other ball is near, by the links of the pile.
-bool roomAround(const Pile& pile, std::uint32_t slot)
+// Whether no other ball is near, by the pairs of the solver.
+bool roomAround(const ContactSolver& solver, std::uint32_t slot)
 {
-  if (pile.links_void) return false;
-  return !pile.anyLink(slot,
-                       [&](std::uint32_t l)
-                       {
-                         const PairLink& link = pile.pairs[l];
-                         const double room = (pile.movers[link.a].p - pile.movers[link.b].p).norm() -
-                                             pile.radius(link.a) - pile.radius(link.b);
-                         return room < kFreeRoom * pile.radius(slot);
-                       });
+  if (solver.neighbours_void) return false;
+  return !solver.anyPair(slot,
+                         [&](std::uint32_t l)
+                         {
+                           const NeighbourPair& pair = solver.pairs[l];
+                           const double room = (solver.movers[pair.a].p - solver.movers[pair.b].p).norm() -
+                                               solver.radius(pair.a) - solver.radius(pair.b);
+                           return room < kFreeRoom * solver.radius(slot);
+                         });
 }
 
-void letGoWhoIsFree(WorldWithWindows& world, double t, double smooth_until)
+void releaseFree(WorldWithWindows& world, double t, double smooth_until)
 {
-  const Pile& pile = world.pile;
-  if (pile.steps % kLetGoEvery != 0 || pile.links_void) return;
+  const ContactSolver& solver = world.solver;
+  if (solver.steps % kReleaseEvery != 0 || solver.neighbours_void) return;
   std::vector<std::uint32_t>& free = world.islands.near;
   free.clear();
-  for (const PileShare& share : pile.shares)
-    for (const std::uint32_t slot : share.awake)
-      if (pile.untouched[slot] > kFreeFor && roomAround(pile, slot)) free.push_back(pile.ball[slot]);
-  for (const std::uint32_t ball : free) leavePile(world, ball, t, smooth_until);
+  for (const SolverSlab& slab : solver.slabs)
+    for (const std::uint32_t slot : slab.awake)
+      if (solver.since_contact[slot] > kFreeFor && roomAround(solver, slot)) free.push_back(solver.ball[slot]);
+  for (const std::uint32_t ball : free) takeFromSolver(world, ball, t, smooth_until);
 }
 }  // namespace
 
@@ -108,33 +108,33 @@ std::size_t mostEvents(const WorldWithWindows& world, const std::vector<std::siz
 {
   for (const std::size_t i : balls)
     if (world.surface(world.balls[i], world.balls[i]).restitution == 1.0) return ~std::size_t{0};
-  return static_cast<std::size_t>(kCrowded) * balls.size();
+  return static_cast<std::size_t>(kHandOffContacts) * balls.size();
 }
 
-void passOn(WorldWithWindows& world, const std::vector<std::uint32_t>& balls, double t)
+void handToSolver(WorldWithWindows& world, const std::vector<std::uint32_t>& balls, double t)
 {
   for (const std::uint32_t i : balls)
-    if (!world.balls[i].away()) join(world, i, t);
+    if (!world.balls[i].away()) handOne(world, i, t);
 }
 
 double endOfWindow(const WorldWithWindows& world, double start, double end)
 {
-  const Pile& pile = world.pile;
-  if (pile.ball.empty() || !pile.anyAwake()) return end;
+  const ContactSolver& solver = world.solver;
+  if (solver.ball.empty() || !solver.anyAwake()) return end;
   const double step = stepOf(world);
   return start + 1.5 * step < end ? start + step : end;
 }
 
-void joinPile(WorldWithWindows& world, double start, double end)
+void handNeighboursToSolver(WorldWithWindows& world, double start, double end)
 {
-  if (world.pile.ball.size() == world.balls.size()) return;
+  if (world.solver.ball.size() == world.balls.size()) return;
   IslandRecords& islands = world.islands;
   const auto boxOfFree = [&](std::size_t i)
   { return world.balls[i].away() ? Box() : boxAround(world.balls[i], start, end); };
   islands.broad_phase.build(world.balls.size(), boxOfFree, world.workers);
   islands.near.clear();
-  for (const std::uint32_t piled : world.pile.ball)
-    listWhoMayMeet(world, CoarseBox(boxAround(world.balls[piled], start, end)), start, end, islands.near);
+  for (const std::uint32_t in_solver : world.solver.ball)
+    listPossiblePartners(world, CoarseBox(boxAround(world.balls[in_solver], start, end)), start, end, islands.near);
   const auto away = [&](std::uint32_t i) { return world.balls[i].away(); };
   islands.near.erase(std::remove_if(islands.near.begin(), islands.near.end(), away), islands.near.end());
   std::sort(islands.near.begin(), islands.near.end());
@@ -142,31 +142,31 @@ void joinPile(WorldWithWindows& world, double start, double end)
   islands.near_boxes.clear();
   for (const std::uint32_t other : islands.near)
     islands.near_boxes.emplace_back(boxAround(world.balls[other], start, end));
-  for (const std::uint32_t other : islands.near) join(world, other, start);
+  for (const std::uint32_t other : islands.near) handOne(world, other, start);
   spread(world, start, end);
 }
 
-void movePile(WorldWithWindows& world, double start, double end, double smooth_until)
+void moveSolver(WorldWithWindows& world, double start, double end, double smooth_until)
 {
-  if (!world.pile.ball.empty())
+  if (!world.solver.ball.empty())
   {
-    runPile(world, start, end, stepOf(world));
-    letGoWhoIsFree(world, end, smooth_until);
+    stepSolver(world, start, end, stepOf(world));
+    releaseFree(world, end, smooth_until);
   }
-  if (!world.crowding) return;
-  world.crowding = false;
+  if (!world.frequent_contacts) return;
+  world.frequent_contacts = false;
   for (std::uint32_t i = 0; i < world.balls.size(); ++i)
-    if (world.balls[i].crowding > kCrowded && !world.balls[i].away()) join(world, i, end);
+    if (world.balls[i].frequent_contacts > kHandOffContacts && !world.balls[i].away()) handOne(world, i, end);
 }
 
-void leavePile(WorldWithWindows& world, std::uint32_t i, double t, double smooth_until)
+void takeFromSolver(WorldWithWindows& world, std::uint32_t i, double t, double smooth_until)
 {
   BallRecord& ball = world.balls[i];
   const BallState state = ball.stateAt(t);
-  dropFromPile(world.pile, i);
+  dropFromSolver(world.solver, i);
   ball.owner = BallOwner::Method;
   planPath(world, ball, state, t, smooth_until);
-  foresee(world, i, t);
-  if (world.any_moving) foreseeMoving(world, i, t, smooth_until);
+  predictStill(world, i, t);
+  if (world.any_moving) predictMoving(world, i, t, smooth_until);
 }
 }  // namespace ping_pong

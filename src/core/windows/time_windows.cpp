@@ -14,7 +14,7 @@ namespace ping_pong
 namespace
 {
 constexpr double kTooManySearches = 4.0;  // of pairs, by ball: a window that needs more is given up
-constexpr double kWindowsAhead = 1.5;     // that are worth an outlook
+constexpr double kWindowsAhead = 1.5;     // that are worth a lookahead: below, its lists cost more than a grid
 
 // A look at two boxes that overlap costs an eighth of a search.
 double pairSearches(const IslandRecords& islands)
@@ -28,8 +28,8 @@ double pairSearches(const IslandRecords& islands)
 void startAnew(WorldWithWindows& world)
 {
   IslandRecords& islands = world.islands;
-  islands.glances.lookAtAll(world.balls, world.edits);
-  for (IslandWork& work : islands.work)  // of glances that are no more
+  islands.cache.readAll(world.balls, world.edits);
+  for (IslandWork& work : islands.work)  // of a cache that is void
   {
     work.added.clear();
     work.due.clear();
@@ -42,9 +42,9 @@ void forgetIslands(IslandRecords& islands, IslandWork& list, bool ahead)
   for (const IslandWork::Busy& busy : list.busy)
   {
     const std::uint32_t i = busy.ball;
-    Glance& glance = islands.glances[i];
-    glance.next = busy.next_event;
-    glance.busy = glance.bent = false;
+    CachedBall& cached = islands.cache[i];
+    cached.setNext(busy.next_event);
+    cached.busy = cached.left_path = false;
     if (ahead && isDue(islands, i)) islands.noteDue(list, i);
   }
 }
@@ -52,25 +52,25 @@ void forgetIslands(IslandRecords& islands, IslandWork& list, bool ahead)
 void begin(WorldWithWindows& world)
 {
   IslandRecords& islands = world.islands;
-  if (!islands.glances.known(world.edits)) startAnew(world);
+  if (!islands.cache.known(world.edits)) startAnew(world);
   islands.runs = 0;
   for (IslandWork& work : islands.work)
   {
     work.keep_contacts = world.keep_contacts;
     work.contacts.clear();
-    work.origins.clear();
+    work.provenances.clear();
     work.status = StepStatus();
     work.pair_searches = work.near_pairs = 0;
-    work.crowding = work.any_squeezed = false;
+    work.frequent_contacts = work.any_squeezed = false;
     work.saved.clear();
     work.busy.clear();
     work.pieces.clear();
     work.met.clear();
     work.roots.clear();
     work.squares = 0;
-    work.crowded.clear();
+    work.to_hand_off.clear();
   }
-  islands.first_contact = world.origins.size();
+  islands.first_contact = world.provenances.size();
   lendContacts(world);
 }
 
@@ -91,7 +91,7 @@ void undo(WorldWithWindows& world)
 {
   IslandRecords& islands = world.islands;
   lendContacts(world);  // and back
-  world.origins.resize(islands.first_contact);
+  world.provenances.resize(islands.first_contact);
   if (world.keep_contacts) world.contacts.resize(islands.first_contact);
   for (const IslandWork& work : islands.work)
     for (const IslandWork::Busy& busy : work.busy)
@@ -99,28 +99,28 @@ void undo(WorldWithWindows& world)
   ++world.edits;
 }
 
-// Whoever was crowded while the window was run passes; false if nobody was.
-bool passOnWhoIsCrowded(WorldWithWindows& world, double start)
+// Hands off the balls of islands with events without end; false if there are none.
+bool handOffFrequent(WorldWithWindows& world, double start)
 {
-  std::vector<std::uint32_t>& crowded = world.islands.near;
-  crowded.clear();
+  std::vector<std::uint32_t>& to_hand_off = world.islands.near;
+  to_hand_off.clear();
   for (const IslandWork& work : world.islands.work)
-    crowded.insert(crowded.end(), work.crowded.begin(), work.crowded.end());
-  if (crowded.empty()) return false;
-  std::sort(crowded.begin(), crowded.end());
+    to_hand_off.insert(to_hand_off.end(), work.to_hand_off.begin(), work.to_hand_off.end());
+  if (to_hand_off.empty()) return false;
+  std::sort(to_hand_off.begin(), to_hand_off.end());
   undo(world);
-  passOn(world, crowded, start);
+  handToSolver(world, to_hand_off, start);
   return true;
 }
 
 void endWindow(WorldWithWindows& world, const WorkerWindow& window)
 {
-  const bool ahead = window.outlook > window.end;
+  const bool ahead = window.lookahead > window.end;
   eachList(world, window,
            [ahead](WorldWithWindows& its_world, const WorkerWindow& its, IslandWork& list)
            {
              dropVoidContacts(its_world, list);
-             if (ahead) lookAhead(its_world, its, list);
+             if (ahead) predictUnhit(its_world, its, list);
            });
   takeContacts(world);
   if (ahead) endIfManyChanged(world, window);
@@ -132,8 +132,8 @@ void endWindow(WorldWithWindows& world, const WorkerWindow& window)
 enum class Outcome
 {
   Done,
-  TooLong,  ///< nothing was done: the window has to be shorter
-  Crowded   ///< nothing was done but that balls have joined the pile
+  TooLong,   ///< nothing was done: the window has to be shorter
+  HandedOff  ///< nothing was done but that balls have gone to the solver
 };
 
 Outcome runWindow(WorldWithWindows& world, const WorkerWindow& window)
@@ -142,17 +142,17 @@ Outcome runWindow(WorldWithWindows& world, const WorkerWindow& window)
   const bool seen_ahead = seesAhead(world, window.end);
   begin(world);
   if (seen_ahead)
-    flyOn(world, window);
+    flyDue(world, window);
   else
-    flyAnew(world, window);
+    flyAll(world, window);
   for (uniteWhoMet(world); islands.islandsToRun() > 0; runIslandsOnce(world, window))
   {
-    if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
+    if (handOffFrequent(world, window.start)) return Outcome::HandedOff;
     if (!worthAShorterWindow(world, window)) continue;
     undo(world);
     return Outcome::TooLong;
   }
-  if (passOnWhoIsCrowded(world, window.start)) return Outcome::Crowded;
+  if (handOffFrequent(world, window.start)) return Outcome::HandedOff;
   endWindow(world, window);
   return Outcome::Done;
 }
@@ -164,7 +164,7 @@ void sumUp(WorldWithWindows& world)
   {
     world.status.events += work.status.events;
     world.status.event_limit |= work.status.event_limit;
-    world.crowding |= work.crowding;
+    world.frequent_contacts |= work.frequent_contacts;
     world.any_squeezed |= work.any_squeezed;
   }
 }
@@ -184,34 +184,34 @@ double endInTick(const IslandRecords& islands, double start, double end)
 }
 
 // Where windows are short because ticks are, one looks ahead: but not if someone changes balls or paddles in every tick.
-double endOfOutlook(const WorldWithWindows& world, double start, double window_end)
+double endOfLookahead(const WorldWithWindows& world, double start, double window_end)
 {
   const IslandRecords& islands = world.islands;
-  if (seesAhead(world, window_end)) return islands.outlook.end;
-  const bool ahead =
-      islands.glances.known(world.edits) && islands.length.next() >= kWindowsAhead * (window_end - start);
+  if (seesAhead(world, window_end)) return islands.lookahead.end;
+  const bool ahead = islands.cache.known(world.edits) && islands.length.next() >= kWindowsAhead * (window_end - start);
   return ahead ? start + islands.length.next() : window_end;
 }
 
-// If the outlook does not hold for another window like this one, it ends here. Whether its length was right is known then.
-void endOutlook(WorldWithWindows& world, const WorkerWindow& window)
+// If the lookahead does not hold for another window like this one, it ends here. Whether its length was right is known then.
+void endLookahead(WorldWithWindows& world, const WorkerWindow& window)
 {
   IslandRecords& islands = world.islands;
-  Outlook& outlook = islands.outlook;
+  Lookahead& lookahead = islands.lookahead;
   for (const IslandWork& work : islands.work)
   {
-    outlook.near_pairs += work.near_pairs;
-    outlook.pair_searches += work.pair_searches;
-    outlook.events += work.status.events;
+    lookahead.near_pairs += work.near_pairs;
+    lookahead.pair_searches += work.pair_searches;
+    lookahead.events += work.status.events;
   }
-  const bool cut = window.outlook > window.end && outlook.end <= window.end;
-  if (outlook.end - window.end > 0.999 * (window.end - window.start)) return;
+  const bool cut = window.lookahead > window.end && lookahead.end <= window.end;
+  if (lookahead.end - window.end > 0.999 * (window.end - window.start)) return;
   const double n = static_cast<double>(world.balls.size());
-  const double length = window.end - outlook.start;
+  const double length = window.end - lookahead.start;
   if (cut) islands.length.cutTo(length);
   const auto byBall = [n](std::size_t count) { return static_cast<double>(count) / n; };
-  islands.length.done(length, {byBall(outlook.near_pairs), byBall(outlook.pair_searches), byBall(outlook.events)});
-  outlook.end = window.end;
+  islands.length.done(length,
+                      {byBall(lookahead.near_pairs), byBall(lookahead.pair_searches), byBall(lookahead.events)});
+  lookahead.end = window.end;
 }
 }  // namespace
 
@@ -222,29 +222,30 @@ void runIslands(WorldWithWindows& world, double end)
   {
     const double window_end = endOfWindow(world, start, endInTick(islands, start, end));
     const std::size_t first_contact = world.contacts.size();
-    if (!world.pile.ball.empty())
+    if (!world.solver.ball.empty())
     {
       ++world.edits;
-      joinPile(world, start, window_end);
+      handNeighboursToSolver(world, start, window_end);
     }
-    const bool all_piled = world.pile.ball.size() == world.balls.size();
-    if (!all_piled)
+    const bool all_in_solver = world.solver.ball.size() == world.balls.size();
+    if (!all_in_solver)
     {
       WorkerWindow window;
       window.start = start;
       window.end = window_end;
       window.smooth_until = end;
-      window.outlook = endOfOutlook(world, start, window_end);
+      window.lookahead = endOfLookahead(world, start, window_end);
       const Outcome outcome = runWindow(world, window);
       sumUp(world);
-      if (outcome == Outcome::TooLong) islands.length.tooLong(std::min(islands.length.next(), window.outlook - start));
+      if (outcome == Outcome::TooLong)
+        islands.length.tooLong(std::min(islands.length.next(), window.lookahead - start));
       if (outcome != Outcome::Done) continue;
       islands.length.busy(window_end - start, busyBalls(islands));
-      endOutlook(world, window);
+      endLookahead(world, window);
     }
-    if (!world.pile.ball.empty()) ++world.edits;  // some may leave it
-    movePile(world, start, window_end, end);
-    if (!world.pile.ball.empty())
+    if (!world.solver.ball.empty()) ++world.edits;  // some may leave it
+    moveSolver(world, start, window_end, end);
+    if (!world.solver.ball.empty())
     {
       ++world.edits;  // others may have joined
       sortContacts(world, first_contact);

@@ -1,4 +1,4 @@
-// Many balls, each on its own clock: a window is flown by every ball as if it were alone. Where the boxes that balls sweep
+// Many balls, each on its own clock: every ball flies through a window as if it were alone. Where the boxes that balls sweep
 // overlap and they would meet, they form an island: it goes back to the start of the window and runs event by event, together.
 // A ball that is thrown off its path may sweep into others: then the islands are joined and run again. What comes out is the
 // same as if all balls had been handled in one list of events, in any order of the islands.

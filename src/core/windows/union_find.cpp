@@ -67,11 +67,11 @@ void uniteOwn(IslandRecords& islands, IslandWork& work)
   work.roots.clear();
   work.apart.clear();
   work.squares = 0;
-  inTurn<kAhead>(
+  eachPrefetched<kAhead>(
       work.met.data(), work.met.size(),
       [&islands](const auto& pair)
       {
-        for (const std::uint32_t i : pair) islands.glances.fetchToChange(i);
+        for (const std::uint32_t i : pair) islands.cache.fetchToChange(i);
       },
       [&](const auto& pair)
       {

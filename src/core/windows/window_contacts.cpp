@@ -8,7 +8,7 @@ namespace
 {
 // Not of an earlier run of its island: what balls have recorded before their island went back to the start has not
 // happened.
-bool happened(const WorldWithWindows& world, const ContactOrigin& origin)
+bool happened(const WorldWithWindows& world, const ContactProvenance& origin)
 {
   return origin.run == (world.islands.isBusy(origin.ball) ? world.islands.busy(origin.ball).run : 0u);
 }
@@ -17,13 +17,13 @@ bool happened(const WorldWithWindows& world, const ContactOrigin& origin)
 void lendContacts(WorldWithWindows& world)
 {
   std::swap(world.contacts, world.islands.work.front().contacts);
-  std::swap(world.origins, world.islands.work.front().origins);
+  std::swap(world.provenances, world.islands.work.front().provenances);
 }
 
 // Contacts are large: their order is found first, and each is moved once.
 void sortContacts(WorldWithWindows& world, std::size_t first)
 {
-  std::vector<IslandRecords::Place>& order = world.islands.order;
+  std::vector<IslandRecords::ContactOrder>& order = world.islands.order;
   order.clear();
   bool sorted = true;
   for (std::size_t c = first; c < world.contacts.size(); ++c)
@@ -46,17 +46,17 @@ void sortContacts(WorldWithWindows& world, std::size_t first)
 void dropVoidContacts(const WorldWithWindows& world, IslandWork& list)
 {
   std::size_t kept = list.worker == 0 ? world.islands.first_contact : 0;
-  for (std::size_t c = kept; c < list.origins.size(); ++c)
+  for (std::size_t c = kept; c < list.provenances.size(); ++c)
   {
-    if (!happened(world, list.origins[c])) continue;
+    if (!happened(world, list.provenances[c])) continue;
     if (kept != c)
     {
       if (world.keep_contacts) list.contacts[kept] = list.contacts[c];
-      list.origins[kept] = list.origins[c];
+      list.provenances[kept] = list.provenances[c];
     }
     ++kept;
   }
-  list.origins.resize(kept);
+  list.provenances.resize(kept);
   if (world.keep_contacts) list.contacts.resize(kept);
 }
 
@@ -65,19 +65,19 @@ void takeContacts(WorldWithWindows& world)
 {
   const std::size_t first = world.islands.first_contact;
   lendContacts(world);  // and back
-  std::size_t contacts = world.origins.size() - first;
+  std::size_t contacts = world.provenances.size() - first;
   for (std::size_t worker = 1; worker < world.islands.work.size(); ++worker)
   {
     const IslandWork& work = world.islands.work[worker];
-    contacts += work.origins.size();
+    contacts += work.provenances.size();
     if (!world.keep_contacts) continue;
     world.contacts.insert(world.contacts.end(), work.contacts.begin(), work.contacts.end());
-    world.origins.insert(world.origins.end(), work.origins.begin(), work.origins.end());
+    world.provenances.insert(world.provenances.end(), work.provenances.begin(), work.provenances.end());
   }
   world.status.contacts += contacts;
   if (world.keep_contacts)
     sortContacts(world, first);
   else
-    world.origins.resize(first);
+    world.provenances.resize(first);
 }
 }  // namespace ping_pong

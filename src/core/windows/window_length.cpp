@@ -10,19 +10,19 @@ namespace ping_pong
 {
 namespace
 {
-// Work, in shares of what sorting a ball into the grid and looking into cells costs:
+// Work, in parts of what sorting a ball into the grid and looking into cells costs:
 constexpr double kNearWork = 0.4;  // two balls whose boxes overlap
 constexpr double kSearchWork = 1.0;
 constexpr double kEventWork = 7.0;
 
-constexpr double kStep = 1.12;        // between lengths that are compared
-constexpr double kCut = 0.5;          // as much shorter than it should have been tells nothing of a length
-constexpr double kNobodyNear = 64.0;  // times longer, if no two boxes overlapped
+constexpr double kStep = 1.12;  // between lengths that are compared: smaller finds the best more closely, larger sooner
+constexpr double kCut = 0.5;    // as much shorter than it should have been tells nothing of a length
+constexpr double kNobodyNear = 64.0;  // times longer, if no two boxes overlapped: one that is too long costs one window
 
 constexpr double kShare = 0.8;        // of the windows that would fit into a time: rather a bit longer than one more
 constexpr double kMostBusy = 4096.0;  // balls with an event in a window: more are a long way through memory
 
-constexpr double kLongestFirst = 1.0;  // [s]
+constexpr double kLongestFirst = 1.0;  // [s]: more than a ball flies over a table
 constexpr double kLeastRoom = 0.05;    // between neighbours at first, in diameters
 
 // Until a ball has come so far, at this speed and acceleration.

@@ -1,4 +1,4 @@
-// How long the windows and outlooks of islands.h are: long ones have many balls near each other and make large islands, in which
+// How long the windows and lookaheads of islands.h are: long ones have many balls near each other and make large islands, in which
 // each looks at each; short ones cost a grid each. The work is counted, not timed, so that a scene goes the same way every time:
 // lengths go up while that makes the work of a second less, else down.
 #pragma once

@@ -38,7 +38,7 @@ struct alignas(128) IslandWork : Records
     double until;           ///< [s]
     std::uint32_t earlier;  ///< the ball's piece before, or IslandRecords::kNoEntry
     std::uint16_t count;    ///< pieces of the ball so far
-    bool parabola;          ///< else the path is of another kind, and not known here
+    bool parabola;          ///< else the path is of another form, and not known here
   };
 
   /// A ball to which something happens in this window.
@@ -48,34 +48,34 @@ struct alignas(128) IslandWork : Records
     std::uint32_t root,
         next;            ///< union-find over balls, and the circular list of an island's; the least index is the root
     std::uint32_t size;  ///< of the island, if this is its root [balls]
-    float next_event;    ///< Glance::next of the ball after this window [s]
+    float next_event;    ///< CachedBall::next() of the ball after this window [s]
     std::uint32_t saved, piece;  ///< entries in the lists of workers, or IslandRecords::kNoEntry; its last piece
     std::uint32_t run : 30;      ///< of its island, the last one; 0 if the ball has been alone
     std::uint32_t met : 1;       ///< it has hit a ball in that run
     std::uint32_t listed : 1;    ///< the root of an island that has to run
-    CoarseBox swept;             ///< in this window and on the path that it is on, until the outlook ends
+    CoarseBox swept;             ///< in this window and on the path that it is on, until the lookahead ends
   };
 
   std::uint32_t worker = 0;
   std::vector<Busy> busy;
   std::vector<BallRecord> saved;     ///< balls at the start of the window, of those that have changed since
-  std::vector<Piece> pieces;         ///< flown in this window, see encounters.h
+  std::vector<Piece> pieces;         ///< of flights in this window, see encounters.h
   std::vector<std::size_t> members;  ///< the island at work
   std::vector<std::array<std::uint32_t, 2>> met;    ///< balls that are in each other's way,
   std::vector<std::array<std::uint32_t, 2>> apart;  ///< and those of them that are not both in `busy`
   std::vector<std::uint32_t> roots;                 ///< of islands that have to run
   std::size_t squares = 0;  ///< of the sizes of islands: all workers' together are those of all that have to run
-  std::vector<std::uint32_t> crowded;  ///< balls of islands with events without end, see solver_handover.h
-  std::vector<std::uint32_t> thrown;   ///< balls that have left their paths
-  BroadPhase::Additions announced;     ///< their boxes, on their way to the grid
+  std::vector<std::uint32_t> to_hand_off;  ///< balls of islands with events without end, see solver_handover.h
+  std::vector<std::uint32_t> deflected;    ///< balls that have left their paths
+  BroadPhase::Additions deferred;          ///< their boxes, on their way to the grid
   NearList near;
 
-  // What comes in the outlook. Each of these lists is gone through by one worker, this one or another.
-  std::vector<Meeting> meetings;      ///< after this window
-  std::vector<Meeting> due_meetings;  ///< in this window
-  std::vector<std::uint32_t> due;     ///< balls that may have an event with a body after this window,
-  std::vector<std::uint32_t> turn;    ///< and in it
-  std::vector<std::uint32_t> added;   ///< balls whose paths have changed since it began, by each change
+  // What comes in the lookahead. Each of these lists is gone through by one worker, this one or another.
+  std::vector<PredictedContact> predicted;     ///< after this window
+  std::vector<PredictedContact> due_contacts;  ///< in this window
+  std::vector<std::uint32_t> due;              ///< balls that may have an event with a body after this window,
+  std::vector<std::uint32_t> due_now;          ///< and in it
+  std::vector<std::uint32_t> added;            ///< balls whose paths have changed since it began, by each change
 };
 
 /// What the exact method keeps from window to window, see islands.h. Balls to which nothing
@@ -94,18 +94,18 @@ struct IslandRecords
   const IslandWork& workOf(std::uint32_t entry) const { return work[entry >> kIndexBits]; }
   static std::uint32_t indexOf(std::uint32_t entry) { return entry & ((1u << kIndexBits) - 1u); }
   const BallRecord& saved(std::uint32_t entry) const { return workOf(entry).saved[indexOf(entry)]; }
-  bool isBusy(std::size_t i) const { return glances[i].busy; }
+  bool isBusy(std::size_t i) const { return cache[i].busy; }
   /// Of a ball that is.
-  IslandWork::Busy& busy(std::size_t i) { return workOf(glances[i].entry).busy[indexOf(glances[i].entry)]; }
-  const IslandWork::Busy& busy(std::size_t i) const { return workOf(glances[i].entry).busy[indexOf(glances[i].entry)]; }
+  IslandWork::Busy& busy(std::size_t i) { return workOf(cache[i].entry()).busy[indexOf(cache[i].entry())]; }
+  const IslandWork::Busy& busy(std::size_t i) const { return workOf(cache[i].entry()).busy[indexOf(cache[i].entry())]; }
   /// The same, from now on if it was not yet: an island of its own.
   IslandWork::Busy& makeBusy(IslandWork& its_work, std::size_t i)
   {
-    Glance& glance = glances[i];
-    if (glance.busy) return busy(i);
-    const float next = glance.next;
-    glance.entry = entry(its_work, its_work.busy.size());
-    glance.busy = true;
+    CachedBall& cached = cache[i];
+    if (cached.busy) return busy(i);
+    const float next = cached.next();
+    cached.setEntry(entry(its_work, its_work.busy.size()));
+    cached.busy = true;
     return addBusy(its_work, i, next);
   }
   /// Whether it is in the list of this worker, if need be from now on. By all workers at the same time.
@@ -116,19 +116,19 @@ struct IslandRecords
       makeBusy(its_work, i);
       return true;
     }
-    const GlanceHead now = glances.head(i);
-    if (now.busy) return now.entry >> kIndexBits == its_work.worker;
-    GlanceHead claimed = now;
-    claimed.entry = entry(its_work, its_work.busy.size());
+    const CachedBallHead now = cache.head(i);
+    if (now.busy) return now.entry() >> kIndexBits == its_work.worker;
+    CachedBallHead claimed = now;
+    claimed.setEntry(entry(its_work, its_work.busy.size()));
     claimed.busy = true;
-    if (!glances.replace(i, now, claimed)) return false;
-    addBusy(its_work, i, now.next);
+    if (!cache.replace(i, now, claimed)) return false;
+    addBusy(its_work, i, now.next());
     return true;
   }
   /// Whether ball i, which is busy, is in the list of this worker; while others are claimed.
   bool isOf(const IslandWork& its_work, std::size_t i) const
   {
-    return glances.head(i).entry >> kIndexBits == its_work.worker;
+    return cache.head(i).entry() >> kIndexBits == its_work.worker;
   }
   static IslandWork::Busy& addBusy(IslandWork& its_work, std::size_t i, float next)
   {
@@ -146,56 +146,56 @@ struct IslandRecords
   const IslandWork::Piece& piece(std::uint32_t entry) const { return workOf(entry).pieces[indexOf(entry)]; }
 
   /// Of a contact in the order of a window's contacts.
-  struct Place
+  struct ContactOrder
   {
     double time;
     BallId ball;
     std::uint32_t contact;  ///< its index
-    bool operator<(const Place& other) const
+    bool operator<(const ContactOrder& other) const
     {
       return std::tie(time, ball, contact) < std::tie(other.time, other.ball, other.contact);
     }
   };
 
   WindowLength length;  ///< of the next window
-  Outlook outlook;
+  Lookahead lookahead;
   std::size_t first_contact = 0;           ///< of this window, in the world's list
-  std::uint32_t runs = 0;                  ///< of all islands that are not settled, in this window
-  Glances glances;                         ///< of each ball
+  std::uint32_t runs = 0;                  ///< of all islands that have to run again, in this window
+  BallCache cache;                         ///< of each ball
   BroadPhase broad_phase;                  ///< of what each ball would sweep if no other were there
   std::vector<IslandWork> work;            ///< of each worker
   std::vector<std::size_t> ends;           ///< of the lists of islands that have to run, one after the other
-  std::vector<std::uint32_t> found, near;  ///< balls near a pile; a list for a moment
-  std::vector<CoarseBox> near_boxes;       ///< of those near a pile
-  std::vector<Place> order;                ///< of the window's contacts
-  std::vector<std::uint32_t> crowded;      ///< balls of an island with events without end, see solver_handover.h
+  std::vector<std::uint32_t> found, near;  ///< balls near those of the solver; a list for a moment
+  std::vector<CoarseBox> near_boxes;       ///< of those near the solver
+  std::vector<ContactOrder> order;         ///< of the window's contacts
+  std::vector<std::uint32_t> to_hand_off;  ///< balls of an island with events without end, see solver_handover.h
 
   /// Takes the memory for so many balls now, not while the world moves on.
   void reserve(std::size_t balls, std::size_t workers);
 
-  /// Ball i is elsewhere than it was when the outlook began: after addToGrid() in what it sweeps.
-  void announce(IslandWork& its_work, std::uint32_t i)
+  /// Ball i is elsewhere than it was when the lookahead began: after addToGrid() in what it sweeps.
+  void deferInsertion(IslandWork& its_work, std::uint32_t i)
   {
-    glances[i].added = true;
+    cache[i].added = true;
     its_work.added.push_back(i);
-    broad_phase.announce(i, busy(i).swept, its_work.announced);
+    broad_phase.deferInsertion(i, busy(i).swept, its_work.deferred);
   }
-  void addToGrid(Workers& workers) { broad_phase.add(work, &IslandWork::announced, workers); }
-  /// Ball i may have an event with a body before the outlook ends.
+  void addToGrid(Workers& workers) { broad_phase.add(work, &IslandWork::deferred, workers); }
+  /// Ball i may have an event with a body before the lookahead ends.
   void noteDue(IslandWork& its_work, std::uint32_t i)
   {
-    if (glances[i].due) return;
-    glances[i].due = true;
+    if (cache[i].due) return;
+    cache[i].due = true;
     its_work.due.push_back(i);
   }
 
-  /// Lists whose boxes overlap this one, for eachNear(): their glances come through memory until then.
+  /// Lists whose boxes overlap this one, for eachNear(): what the cache has of them comes through memory until then.
   template <class AnyBox>
   void listNear(const AnyBox& box, NearList& list) const
   {
     const std::size_t before = list.entries.size();
     broad_phase.listOverlapping(box, list.entries);
-    for (std::size_t e = before; e < list.entries.size(); ++e) glances.fetch(list.entries[e] & ~BroadPhase::kAdded);
+    for (std::size_t e = before; e < list.entries.size(); ++e) cache.fetch(list.entries[e] & ~BroadPhase::kAdded);
     list.ends.push_back(list.entries.size());
   }
   /// Calls action(k) for every ball k but i itself that was listed in the c-th place; for some twice.
@@ -205,7 +205,7 @@ struct IslandRecords
     for (std::size_t e = c == 0 ? 0 : list.ends[c - 1]; e < list.ends[c]; ++e)
     {
       const std::uint32_t entry = list.entries[e], k = entry & ~BroadPhase::kAdded;
-      if (k != i && (entry != k || !glances[k].added)) action(k);
+      if (k != i && (entry != k || !cache[k].added)) action(k);
     }
   }
 };
