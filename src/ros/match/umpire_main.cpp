@@ -24,6 +24,7 @@ UmpireParams readParams(ros::NodeHandle& private_nh)
   p.best_of = static_cast<int>(reader.number("best_of", 0, odd, "an odd number of games, or 0 for that of the rules"));
   const auto time = [](double t) { return t >= 0.0 && t <= 3600.0; };
   p.serve_within = reader.number("serve_within", p.serve_within, time, "0 (nobody is hurried) to 3600 [s]");
+  p.change_ends = reader.flag("change_ends", p.change_ends);
   p.result_file = reader.text("result_file", p.result_file);
   p.players = {reader.text("player_a", p.players[0]), reader.text("player_b", p.players[1])};
   for (const std::string& name : reader.unread()) ROS_WARN_STREAM("parameter " << name << " is not known; ignored");

@@ -16,10 +16,11 @@ namespace
 {
 constexpr double kUnseen = 0.2;  ///< after which a ball that was thrown should have been seen [s]
 
-game::Rules rulesOf(const std::string& name, int best_of)
+game::Rules rulesOf(const std::string& name, int best_of, bool change_ends)
 {
   game::Rules rules = game::rulesPreset(name);
   if (best_of > 0) rules.games = best_of;
+  rules.change_ends = rules.change_ends && change_ends;
   game::checkRules(rules);
   return rules;
 }
@@ -30,7 +31,7 @@ UmpireNode::UmpireNode(ros::NodeHandle& nh, ros::NodeHandle& private_nh, const U
 {
   for (std::size_t i = 0; i < scene_.bodies.size(); ++i) body_of_[scene_.bodies[i].name] = i;
   const game::Court court = game::findCourt(scene_);
-  umpire_ = std::make_unique<game::Umpire>(court, rulesOf(params.rules, params.best_of));
+  umpire_ = std::make_unique<game::Umpire>(court, rulesOf(params.rules, params.best_of, params.change_ends));
   for (std::size_t end = 0; end < 2; ++end) racket_[end] = scene_.bodies[court.racket[end]].pose.p;
 
   score_ = nh.advertise<Score>("score", 10, true);
@@ -157,7 +158,7 @@ std::string UmpireNode::startMatch(const NewMatch::Request& request)
   {
     const std::string name = request.rules.empty() ? params_.rules : request.rules;
     const int best_of = request.best_of != 0 ? request.best_of : (request.rules.empty() ? params_.best_of : 0);
-    const game::Rules rules = rulesOf(name, best_of);
+    const game::Rules rules = rulesOf(name, best_of, params_.change_ends);
     const bool second = request.server == 1 || (request.server < 0 && ros::WallTime::now().nsec / 1000 % 2 == 1);
     umpire_ = std::make_unique<game::Umpire>(game::findCourt(scene_), rules);
     umpire_->newMatch(time_, second ? game::Player::B : game::Player::A);

@@ -29,6 +29,7 @@ struct UmpireParams
   std::string rules = "relaxed";
   int best_of = 0;  ///< games, odd; 0: as the rules have it
   std::array<std::string, 2> players{"A", "B"};
+  bool change_ends = false;   ///< if the rules ask for it; the node `player` keeps its paddle
   std::string result_file;    ///< written when a match is over; empty: none
   double serve_within = 0.0;  ///< a server who has no ball in play by then forfeits the match [s]; 0: nobody is hurried
 };
