@@ -85,6 +85,35 @@ geometry_msgs::Twist toTwist(const ping_pong::Twist& twist)
   return message;
 }
 
+std::uint8_t toMode(ping_pong::PaddleCommand::Mode mode)
+{
+  using Mode = ping_pong::PaddleCommand::Mode;
+  switch (mode)
+  {
+    case Mode::Acceleration:
+      return PaddleCommand::ACCELERATION;
+    case Mode::Velocity:
+      return PaddleCommand::VELOCITY;
+    case Mode::Pose:
+      return PaddleCommand::POSE;
+    case Mode::Hold:
+      break;
+  }
+  return PaddleCommand::HOLD;
+}
+
+PaddleCommand toCommand(const ping_pong::PaddleCommand& command)
+{
+  PaddleCommand message;
+  message.header.frame_id = "world";
+  message.mode = toMode(command.mode);
+  message.pose = toPose(command.pose);
+  message.twist = toTwist(command.twist);
+  message.accel.linear = toVector(command.a_W);
+  message.accel.angular = toVector(command.alpha_W);
+  return message;
+}
+
 std_msgs::ColorRGBA toColor(const ping_pong::Color& color)
 {
   std_msgs::ColorRGBA message;

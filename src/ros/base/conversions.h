@@ -32,6 +32,9 @@ geometry_msgs::Quaternion toQuaternion(const ping_pong::Quaterniond& q);
 geometry_msgs::Pose toPose(const ping_pong::Pose& pose);
 geometry_msgs::Transform toTransform(const ping_pong::Pose& pose);
 geometry_msgs::Twist toTwist(const ping_pong::Twist& twist);
+std::uint8_t toMode(ping_pong::PaddleCommand::Mode mode);
+/// In the world's frame.
+PaddleCommand toCommand(const ping_pong::PaddleCommand& command);
 std_msgs::ColorRGBA toColor(const ping_pong::Color& color);
 
 // --- In. All throw InputError with the field's name for values that are not finite or beyond 1e6 ---

@@ -1,7 +1,5 @@
 #include "player_node.h"
 
-#include <algorithm>
-
 #include "ping_pong_sim/PaddleCommand.h"
 #include "ping_pong_sim/scene_loader.h"
 #include "plan_markers.h"
@@ -18,32 +16,6 @@ constexpr double kPatience = 3.0;     ///< for the umpire's answer [s]
 constexpr double kAskAgain = 0.5;     ///< after a refusal [s]
 constexpr double kTossHeight = 0.3;   ///< the law asks for 0.16 [m]
 constexpr double kLongestTick = 0.1;  ///< between two messages; longer is a pause or a reset [s]
-
-PaddleCommand messageOf(const ping_pong::PaddleCommand& command)
-{
-  PaddleCommand message;
-  message.header.frame_id = "world";
-  switch (command.mode)
-  {
-    case ping_pong::PaddleCommand::Mode::Hold:
-      message.mode = PaddleCommand::HOLD;
-      break;
-    case ping_pong::PaddleCommand::Mode::Acceleration:
-      message.mode = PaddleCommand::ACCELERATION;
-      break;
-    case ping_pong::PaddleCommand::Mode::Velocity:
-      message.mode = PaddleCommand::VELOCITY;
-      break;
-    case ping_pong::PaddleCommand::Mode::Pose:
-      message.mode = PaddleCommand::POSE;
-      break;
-  }
-  message.pose = toPose(command.pose);
-  message.twist = toTwist(command.twist);
-  message.accel.linear = toVector(command.a_W);
-  message.accel.angular = toVector(command.alpha_W);
-  return message;
-}
 }  // namespace
 
 PlayerNode::PlayerNode(ros::NodeHandle& nh, ros::NodeHandle& private_nh, const PlayerNodeParams& params)
@@ -111,7 +83,7 @@ void PlayerNode::act()
 {
   if (paddle_time_ != now_.time) return;
   now_.to_serve = serves();
-  commands_.publish(messageOf(player_->update(now_)));
+  commands_.publish(toCommand(player_->update(now_)));
   showPlan();
 }
 
@@ -135,7 +107,7 @@ bool PlayerNode::serves() const
 void PlayerNode::onLevel(const std_msgs::UInt8& message)
 {
   if (message.data == params_.level) return;
-  if (message.data < 1 || message.data > 5)
+  if (message.data < play::kLowestLevel || message.data > play::kHighestLevel)
   {
     ROS_WARN_STREAM("player_level: " << static_cast<int>(message.data) << ": expected 1 to 5; stays at "
                                      << params_.level);

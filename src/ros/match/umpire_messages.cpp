@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "ros/base/conversions.h"
+#include "teleop/messages.h"
 
 namespace ping_pong_sim
 {
@@ -12,17 +12,6 @@ namespace game = ping_pong::game;
 
 namespace
 {
-// Messages come from our own simulator: what it sends is finite, and nothing has to be refused.
-ping_pong::Vector3d vectorOf(const geometry_msgs::Vector3& v)
-{
-  return {v.x, v.y, v.z};
-}
-
-ping_pong::Vector3d vectorOf(const geometry_msgs::Point& p)
-{
-  return {p.x, p.y, p.z};
-}
-
 void setPoints(const game::Score& score, boost::array<std::uint16_t, 2>& points, boost::array<std::uint16_t, 2>& games)
 {
   for (std::size_t i = 0; i < 2; ++i)
@@ -66,14 +55,14 @@ ping_pong::Contact contactOf(const Contact& message, std::size_t body)
   contact.other_ball = message.other_ball;
   contact.body = body;
   contact.shape = message.shape < 0 ? ping_pong::kNone : static_cast<std::size_t>(message.shape);
-  contact.p_WC = vectorOf(message.point);
-  contact.n_W = vectorOf(message.normal);
-  contact.v_before = vectorOf(message.velocity_before);
-  contact.v_after = vectorOf(message.velocity_after);
-  contact.w_before = vectorOf(message.spin_before);
-  contact.w_after = vectorOf(message.spin_after);
-  contact.v_other = vectorOf(message.velocity_other);
-  contact.impulse = vectorOf(message.impulse);
+  contact.p_WC = fromMessage(message.point);
+  contact.n_W = fromMessage(message.normal);
+  contact.v_before = fromMessage(message.velocity_before);
+  contact.v_after = fromMessage(message.velocity_after);
+  contact.w_before = fromMessage(message.spin_before);
+  contact.w_after = fromMessage(message.spin_after);
+  contact.v_other = fromMessage(message.velocity_other);
+  contact.impulse = fromMessage(message.impulse);
   return contact;
 }
 
@@ -86,9 +75,9 @@ TickEnd tickOf(const BallStates& message)
     SeenBall seen;
     seen.id = ball.id;
     seen.radius = ball.radius;
-    seen.state.p_WB = vectorOf(ball.pose.position);
-    seen.state.v_WB = vectorOf(ball.twist.linear);
-    seen.state.w_WB = vectorOf(ball.twist.angular);
+    seen.state.p_WB = fromMessage(ball.pose.position);
+    seen.state.v_WB = fromMessage(ball.twist.linear);
+    seen.state.w_WB = fromMessage(ball.twist.angular);
     tick.balls.push_back(seen);
   }
   return tick;
@@ -118,6 +107,16 @@ bool sameScore(const Score& a, const Score& b)
   namespace ser = ros::serialization;
   const ros::SerializedMessage left = ser::serializeMessage(a), right = ser::serializeMessage(b);
   return left.num_bytes == right.num_bytes && std::memcmp(left.buf.get(), right.buf.get(), left.num_bytes) == 0;
+}
+
+UmpireCall noticeOf(const game::Umpire& umpire, const std::string& text)
+{
+  UmpireCall message;
+  message.kind = UmpireCall::NOTICE;
+  message.reason = text;
+  message.winner = -1;
+  setPoints(umpire.score(), message.points, message.games);
+  return message;
 }
 
 UmpireCall callOf(const game::Call& call)

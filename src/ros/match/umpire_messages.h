@@ -18,6 +18,7 @@ TickEnd tickOf(const BallStates& message);
 Score scoreOf(const ping_pong::game::Umpire& umpire);
 bool sameScore(const Score& a, const Score& b);
 /// All but the header.
+UmpireCall noticeOf(const ping_pong::game::Umpire& umpire, const std::string& text);
 UmpireCall callOf(const ping_pong::game::Call& call);
 
 constexpr ping_pong::game::Player playerOf(std::size_t index)

@@ -1,7 +1,6 @@
 #include "umpire_node.h"
 
 #include "ping_pong_sim/SpawnBall.h"
-#include "ping_pong_sim/UmpireCall.h"
 #include "ping_pong_sim/scene_loader.h"
 #include "result_file.h"
 #include "ros/base/conversions.h"
@@ -243,7 +242,7 @@ void UmpireNode::publish()
   bool over = false;
   for (const game::Call& call : umpire_->takeCalls())
   {
-    publishCall(call);
+    publishCall(callOf(call), call.time);
     over |= call.kind == game::CallKind::Match;
   }
   publishScore();
@@ -281,10 +280,9 @@ void UmpireNode::publishScore()
   shown_ = message;
 }
 
-void UmpireNode::publishCall(const game::Call& call)
+void UmpireNode::publishCall(UmpireCall message, double time)
 {
-  UmpireCall message = callOf(call);
-  message.header.stamp = stamp(call.time);
+  message.header.stamp = stamp(time);
   message.header.frame_id = "world";
   calls_.publish(message);
 }
@@ -292,17 +290,6 @@ void UmpireNode::publishCall(const game::Call& call)
 void UmpireNode::notice(const std::string& text)
 {
   ROS_INFO_STREAM("umpire: " << text);
-  UmpireCall message;
-  message.kind = UmpireCall::NOTICE;
-  message.reason = text;
-  message.winner = -1;
-  message.header.stamp = stamp(time_);
-  message.header.frame_id = "world";
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    message.points[i] = static_cast<std::uint16_t>(umpire_->score().points[i]);
-    message.games[i] = static_cast<std::uint16_t>(umpire_->score().games[i]);
-  }
-  calls_.publish(message);
+  publishCall(noticeOf(*umpire_, text), time_);
 }
 }  // namespace ping_pong_sim

@@ -17,6 +17,7 @@
 #include "ping_pong_sim/PaddleStates.h"
 #include "ping_pong_sim/Score.h"
 #include "ping_pong_sim/Toss.h"
+#include "ping_pong_sim/UmpireCall.h"
 #include "ping_pong_sim/scene.h"
 #include "teleop/sim_link.h"
 
@@ -62,7 +63,7 @@ private:
   void publish();
   void writeResultFile();
   void publishScore();
-  void publishCall(const ping_pong::game::Call& call);
+  void publishCall(UmpireCall message, double time);
   void notice(const std::string& text);
   ros::Time stamp(double time) const;
 

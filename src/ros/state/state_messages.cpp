@@ -22,23 +22,6 @@ void setFrame(geometry_msgs::TransformStamped& transform, const ros::Time& stamp
   transform.child_frame_id = child;
   transform.transform = toTransform(pose);
 }
-
-std::uint8_t toMode(ping_pong::PaddleCommand::Mode mode)
-{
-  using Mode = ping_pong::PaddleCommand::Mode;
-  switch (mode)
-  {
-    case Mode::Acceleration:
-      return PaddleCommand::ACCELERATION;
-    case Mode::Velocity:
-      return PaddleCommand::VELOCITY;
-    case Mode::Pose:
-      return PaddleCommand::POSE;
-    case Mode::Hold:
-      break;
-  }
-  return PaddleCommand::HOLD;
-}
 }  // namespace
 
 std::string ballFrame(ping_pong::BallId id)
